@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cmath>
+
+#include "geometry/pinhole_camera.h"
+#include "geometry/rigid_transform.h"
+
+namespace geon::geometry {
+
+// A line laser: a fan of light in the plane { p : normal . (p - origin) = 0 }, seen from T.
+struct LaserMount {
+  Eigen::Vector3d p_TLaser_m = Eigen::Vector3d::Zero();     // where the fan starts, frame T
+  Eigen::Vector3d normal_T = Eigen::Vector3d::UnitZ();      // unit normal of the fan's plane, frame T
+};
+
+// The head of the robot and the camera that watches the floor, as mounted (thesis figures 3.2, 3.10;
+// figures in scripts/config/robot.yaml).
+//
+// P sits on the turret, T is carried by the pan-tilt unit, both with x forward, y left, z up; the
+// cameras have x right, y down, z forward. Positive pan turns left, positive tilt looks up.
+struct SensorRig {
+  PinholeCamera color_camera;
+  PinholeCamera stripe_camera;
+  PinholeCamera floor_camera{320, 240, 160.0, 160.0, 159.5, 119.5};
+  RigidTransform X_RP = RigidTransform::Identity();
+  RigidTransform X_TC = RigidTransform::Identity();
+  RigidTransform X_TB = RigidTransform::Identity();
+  RigidTransform X_RF = RigidTransform::Identity();
+  LaserMount horizontal_laser;
+  LaserMount vertical_laser;
+
+  // X_RT of the head turned to (pan, tilt).
+  RigidTransform HeadPose(double pan_rad, double tilt_rad) const {
+    return X_RP * MakeTransform(RotationAboutZ(pan_rad) * RotationAboutY(-tilt_rad),
+                                Eigen::Vector3d::Zero());
+  }
+  RigidTransform ColorCameraPose(double pan_rad, double tilt_rad) const {
+    return HeadPose(pan_rad, tilt_rad) * X_TC;
+  }
+  RigidTransform StripeCameraPose(double pan_rad, double tilt_rad) const {
+    return HeadPose(pan_rad, tilt_rad) * X_TB;
+  }
+};
+
+// X_RL of the level frame of a scan, given the pose of the B/W camera at which the target was
+// measured: origin on the plane z = 0 below the camera's centre, x along the horizontal part of the
+// optical axis, z up. `support_height_m` lifts the plane z = 0 of L to the table that carries the
+// target (0 for the floor).
+inline RigidTransform LevelFrame(const RigidTransform& X_RB, double support_height_m) {
+  const Eigen::Vector3d axis_R = X_RB.linear().col(2);
+  const double heading_rad = std::atan2(axis_R.y(), axis_R.x());
+  const Eigen::Vector3d p_RB = X_RB.translation();
+  return MakeTransform(RotationAboutZ(heading_rad),
+                       Eigen::Vector3d(p_RB.x(), p_RB.y(), support_height_m));
+}
+
+}  // namespace geon::geometry

@@ -1,0 +1,60 @@
+#include "geometry/sensor_rig.h"
+
+#include <gtest/gtest.h>
+
+#include "base/angles.h"
+
+namespace geon::geometry {
+namespace {
+
+SensorRig PitchedRig() {
+  SensorRig rig;
+  rig.X_RP = MakeTransform(RotationAboutY(RadiansFromDegrees(15)), Eigen::Vector3d(0, 0, 1.2));
+  rig.X_TB = MakeTransform(CameraAxesInBody(), Eigen::Vector3d(0.05, 0, 0));
+  return rig;
+}
+
+TEST(SensorRigTest, MountPitchedDownLooksDown) {
+  const RigidTransform X_RB = PitchedRig().StripeCameraPose(0.0, 0.0);
+  const Eigen::Vector3d axis_R = X_RB.linear().col(2);
+  EXPECT_NEAR(axis_R.z(), -std::sin(RadiansFromDegrees(15)), 1e-12);
+  EXPECT_NEAR(axis_R.y(), 0.0, 1e-12);
+}
+
+TEST(SensorRigTest, LowestTiltReachesTheFloorAtSeventyCentimetres) {
+  // tilt limit -46.65 degrees and pitch 15 degrees: the axis meets the floor 0.65 m ahead.
+  const RigidTransform X_RT = PitchedRig().HeadPose(0.0, RadiansFromDegrees(-46.65));
+  const Eigen::Vector3d axis_R = X_RT.linear().col(0);
+  EXPECT_NEAR(1.2 * axis_R.x() / -axis_R.z(), 0.65, 0.01);
+}
+
+TEST(SensorRigTest, PositivePanLooksLeftAndPositiveTiltUp) {
+  SensorRig rig;
+  rig.X_TB = MakeTransform(CameraAxesInBody(), Eigen::Vector3d::Zero());
+  EXPECT_GT(rig.StripeCameraPose(0.2, 0.0).linear().col(2).y(), 0.0);
+  EXPECT_GT(rig.StripeCameraPose(0.0, 0.2).linear().col(2).z(), 0.0);
+}
+
+TEST(SensorRigTest, LevelFrameStandsBelowTheCameraAndIsLevel) {
+  const RigidTransform X_RB = PitchedRig().StripeCameraPose(0.3, -0.4);
+  const RigidTransform X_RL = LevelFrame(X_RB, 0.7);
+  EXPECT_NEAR(X_RL.linear()(2, 2), 1.0, 1e-12);
+  const Eigen::Vector3d p_LB = X_RL.inverse() * X_RB.translation();
+  EXPECT_NEAR(p_LB.head<2>().norm(), 0.0, 1e-12);
+  EXPECT_NEAR(p_LB.z(), X_RB.translation().z() - 0.7, 1e-12);
+  const Eigen::Vector3d axis_L = X_RL.linear().transpose() * X_RB.linear().col(2);
+  EXPECT_NEAR(axis_L.y(), 0.0, 1e-12);
+  EXPECT_GT(axis_L.x(), 0.0);
+}
+
+TEST(PinholeCameraTest, RayAndProjectionAreInverse) {
+  const PinholeCamera camera;
+  const Eigen::Vector2d pixel_px = camera.Project(camera.Ray(12.25, 401.5) * 1.7);
+  EXPECT_NEAR(pixel_px.x(), 12.25, 1e-9);
+  EXPECT_NEAR(pixel_px.y(), 401.5, 1e-9);
+  EXPECT_TRUE(camera.Contains(pixel_px));
+  EXPECT_FALSE(camera.Contains({640.0, 0.0}));
+}
+
+}  // namespace
+}  // namespace geon::geometry
