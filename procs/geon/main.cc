@@ -1,0 +1,18 @@
+#include <CLI/CLI.hpp>
+
+#include "config/daemon_arguments.h"
+#include "procs/geon/commands.h"
+
+int main(int argc, char** argv) {
+  CLI::App app{"geon: the front door of geonbot"};
+  app.set_version_flag("--version", geon::config::BuildVersion());
+  app.require_subcommand(1);
+  app.footer("Every command: geon COMMAND --help. Exit codes: 0 ok, 1 failed, 2 usage, 3 not ready.");
+  int exit_code = geon::cli::kOk;
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? geon::cli::kOk : geon::cli::kUsage;
+  }
+  return exit_code;
+}
