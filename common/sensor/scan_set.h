@@ -12,6 +12,13 @@
 
 namespace geon::sensor {
 
+// What became of the stripe that a profile answers.
+enum class ProfileStatus {
+  kOk = 0,
+  kMissing = 1,  // no laser light on the target
+  kRefused = 2,  // the stripe camera could not deliver it
+};
+
 // What one laser stripe measured, in the level frame L (x forward, y left, z up, z = 0 on the floor
 // or table that carries the object, origin below the B/W camera), before background removal.
 struct RangeProfile {
@@ -19,6 +26,9 @@ struct RangeProfile {
   int32_t seq = 0;
   int64_t scan_id = 0;
   int32_t stripe_index = 0;
+  int32_t attempt = 0;  // of the scan command answered
+  ProfileStatus status = ProfileStatus::kOk;
+  int32_t on_target = 0;  // points left after background removal
   Laser laser = Laser::kHorizontal;
   // Where the stripe was meant to lie: from the top (horizontal) or the left (vertical) of the target.
   double fraction = 0.5;

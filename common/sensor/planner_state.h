@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace geon::sensor {
+
+enum class MissionOutcome { kRunning = 0, kNamed = 1, kFailed = 2 };
+
+// What the mission does and why. Points and polygons are in W (odometry).
+struct PlannerState {
+  int64_t utime = 0;
+  int32_t seq = 0;
+  std::string phase;  // "search", "approach", "centre", "scan", ...
+  std::string text;   // one sentence
+  MissionOutcome outcome = MissionOutcome::kRunning;
+  double x_m = 0.0, y_m = 0.0, heading_rad = 0.0;
+  std::optional<Eigen::Vector2d> p_WTarget_m;
+  Eigen::Vector2d p_WWaypoint_m = Eigen::Vector2d::Zero();
+  std::vector<Eigen::Vector2d> safe_polygon_W_m;
+  std::vector<Eigen::Vector2d> obstacles_W_m;
+  int64_t scan_id = 0;
+  int32_t stripe_index = 0;
+};
+
+}  // namespace geon::sensor
