@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+namespace geon::recognition {
+
+struct DifferenceOfSlopeOptions {
+  int window = 10;  // W, samples of each fitted line (section 5.3.1)
+  int gap = 3;      // M, samples between them, at least the arc length of a corner
+  // theta_Smax: within +-this the curve is straight. Section 5.3.1 gives no values for this and the
+  // next two; theirs come from synthetic profiles (docs/experiments.md).
+  double zero_range_rad = 0.18;
+  int curve_width = 16;      // s_curve, samples: wider peaks are curves
+  double corner_rad = 0.55;  // theta_corner: higher peaks are corners
+  // A negative peak must fall below minus this to count as a concavity (figure 5.11).
+  double concave_rad = 0.25;
+  void Validate() const;  // throws ContractViolation
+};
+
+// Difference of slope along a curve: theta[i] belongs to sample first + i.
+struct ThetaPlot {
+  int first = 0;
+  std::vector<double> theta_rad;  // positive: convex (clockwise)
+};
+
+// What a profile is made of.
+struct CurveFeatures {
+  int curves = 0;
+  int corners = 0;
+  int concavities = 0;
+};
+
+// The theta-plot of O'Gorman's method: at each sample, the angle between the lines fitted to the W
+// samples before and the W samples after a gap of M.
+//
+// Source: thesis section 5.3.1, figure 5.7 [O'Gorman 1988]. Deviation: the lines are fitted by
+// total least squares and directed along the walk, since a regression of depth on position has no
+// answer where the profile runs in depth. Empty when the curve has fewer than 2 W + M samples.
+ThetaPlot ComputeThetaPlot(std::span<const Eigen::Vector2d> curve_m,
+                           const DifferenceOfSlopeOptions& options);
+
+// Peaks of the theta-plot: width and height tell corner from curve; low and narrow is noise; high
+// and wide is a corner right beside a curve (figure 5.9), both of which are counted.
+CurveFeatures FindFeatures(const ThetaPlot& plot, const DifferenceOfSlopeOptions& options);
+
+}  // namespace geon::recognition

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+
+#include "recognition/profile_ends.h"
+#include "sensor/geon_verdict.h"
+
+namespace geon::recognition {
+
+struct BendingOptions {
+  // k_tol of (5.3). The thesis prints no value; this is several times the noise of an end point.
+  double concave_edge_m = 0.008;
+  void Validate() const;  // throws ContractViolation
+};
+
+// Evidence of bending: a profile in two segments, a concavity, or a concave edge through the end
+// points on any of the four sides.
+//
+// Source: thesis section 5.4, equation 5.3, figures 5.10-5.12. Deviation: the line from p1 to p3 is
+// taken at p2's own height, as the text says, not half-way as printed: with the stripes at 1/4,
+// 1/2 and 3/4 both agree.
+sensor::BendingEvidence FindBending(std::span<const sensor::ProfileEvidence> profiles,
+                                    std::span<const ProfileEnds> horizontal,
+                                    std::span<const ProfileEnds> vertical,
+                                    const BendingOptions& options);
+
+}  // namespace geon::recognition

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "sensor/scan_set.h"
+
+namespace geon::recognition {
+
+struct SegmentOptions {
+  // Two neighbouring points further apart than this belong to two segments, whether pixels are
+  // missing between them or not. More than what a grazing surface or a dark fleck leaves, less than
+  // the opening of a bent geon.
+  double split_m = 0.025;
+  // A segment shorter than this is a stray reflection and is dropped.
+  double shortest_m = 0.015;
+  int fewest_points = 5;
+  void Validate() const;  // throws ContractViolation
+};
+
+// The parts of a profile that hang together, in the order of its pixels (figure 5.10).
+std::vector<sensor::RangeProfile> SplitIntoSegments(const sensor::RangeProfile& profile,
+                                                    const SegmentOptions& options);
+
+// The profile as the plane curve that the thesis draws: abscissa along the stripe (x of the B/W
+// camera for a horizontal stripe, y for a vertical one), ordinate towards the camera (-z), metres.
+// Walked in the order of its pixels a convex surface turns clockwise.
+std::vector<Eigen::Vector2d> PlaneCurve(const sensor::RangeProfile& profile,
+                                        const Eigen::Matrix3d& R_LB);
+
+// `samples` points at equal steps of arc length, each the mean of the curve over its own step.
+//
+// Not in the thesis, which counts W and M in pixels: with 1 mm of noise and half a millimetre
+// between pixels the slope of ten pixels is noise. Equal arcs make W and M fractions of the
+// profile, whatever the distance and the camera's resolution.
+std::vector<Eigen::Vector2d> ResampleEqualArc(std::span<const Eigen::Vector2d> curve_m,
+                                              int samples);
+
+double ArcLength(std::span<const Eigen::Vector2d> curve_m);
+
+}  // namespace geon::recognition

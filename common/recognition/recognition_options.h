@@ -1,0 +1,31 @@
+#pragma once
+
+#include "recognition/difference_of_slope.h"
+#include "recognition/find_bending.h"
+#include "recognition/find_tapering.h"
+#include "recognition/polyline_fit.h"
+#include "recognition/profile_curve.h"
+#include "recognition/remove_background.h"
+#include "recognition/smooth_profile.h"
+
+namespace geon::recognition {
+
+// How corners, curves and lines are found (section 5.3). The thesis compared the three and kept
+// O'Gorman's.
+enum class CurvatureMethod { kOGorman, kRamer, kWall };
+
+// Everything that can be set about recognition.
+struct RecognitionOptions {
+  SmoothingOptions smoothing;
+  BackgroundOptions background;
+  SegmentOptions segments;
+  CurvatureMethod curvature = CurvatureMethod::kOGorman;
+  int samples = 80;  // equal steps of arc length a profile is resampled to
+  DifferenceOfSlopeOptions difference_of_slope;
+  PolylineOptions polyline;
+  BendingOptions bending;
+  TaperingOptions tapering;
+  void Validate() const;  // throws ContractViolation
+};
+
+}  // namespace geon::recognition

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "recognition/recognition_options.h"
+#include "sensor/geon_verdict.h"
+#include "sensor/scan_set.h"
+
+namespace geon::recognition {
+
+// Names the geon that a scan set shows, with the evidence and the reasons in words.
+//
+// Source: thesis chapter 5, the six stages of figure 5.1: smoothing, background removal, corners,
+// curves and lines of each profile, evidence of bending, evidence of tapering, decision tree.
+//
+// Deterministic: the same scan set and options give the same verdict bit for bit. The scan's
+// `truth` is never looked at; utime, seq are left 0 and scan_id is the scan's. Outcomes: `decided`
+// is false when less than one horizontal or vertical profile shows the target; the label is then
+// the best guess of the tree on what is there and its confidence that of a guess. Throws
+// ContractViolation when options are invalid or a profile's pixel and point counts differ.
+sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const RecognitionOptions& options);
+
+}  // namespace geon::recognition
