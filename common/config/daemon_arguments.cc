@@ -1,0 +1,81 @@
+#include "config/daemon_arguments.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+#include "geon_build.h"
+
+namespace geon::config {
+
+namespace {
+
+constexpr std::array<const char*, 9> kRobotFileSections = {
+    "bus", "rig",  "color_camera", "floor_camera", "stripe_camera",
+    "ptu", "base", "planner",      "recognizer"};
+
+constexpr int kExitUsage = 2;
+
+}  // namespace
+
+DaemonArguments::DaemonArguments(const std::string& program, const std::string& purpose,
+                                 const std::string& examples)
+    : config_file(GEON_DEFAULT_CONFIG), app_(purpose, program), program_(program) {
+  app_.set_version_flag("--version", program + " " + BuildVersion());
+  app_.add_option("--config", config_file, "robot file; --check-config tells whether it is good")
+      ->envname("GEON_CONFIG")
+      ->capture_default_str();
+  app_.add_flag("--check-config", check_config, "check the robot file and exit");
+  app_.add_option("--lcm-url", lcm_url, "bus to use instead of the robot file's bus.url")
+      ->envname("LCM_DEFAULT_URL");
+  app_.footer("Examples:\n  " + examples +
+              "\nExit codes: 0 ok, 1 failed, 2 usage or bad configuration, 3 not ready.");
+}
+
+std::optional<int> DaemonArguments::Parse(int argc, char** argv) {
+  try {
+    app_.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app_.exit(error) == 0 ? 0 : kExitUsage;
+  }
+  return std::nullopt;
+}
+
+int DaemonArguments::RefuseConfiguration(const Status& status) const {
+  std::cerr << program_ << ": the configuration is refused:\n" << status.message() << '\n';
+  return kExitUsage;
+}
+
+int DaemonArguments::AcceptConfiguration() const {
+  std::cout << program_ << ": " << config_file.string() << " is good\n";
+  return 0;
+}
+
+Result<YamlDocument> LoadRobotFile(const std::filesystem::path& file,
+                                   const std::vector<std::string>& sections_read) {
+  Result<YamlDocument> document = YamlDocument::Load(file);
+  if (!document.ok()) return document;
+  for (const char* section : kRobotFileSections) {
+    const bool is_read =
+        std::find(sections_read.begin(), sections_read.end(), section) != sections_read.end();
+    if (!is_read) document->root().Ignore(section);
+  }
+  return document;
+}
+
+std::string FileHash(const std::filesystem::path& file) {
+  uint64_t hash = 0xcbf29ce484222325ULL;
+  std::ifstream stream(file, std::ios::binary);
+  for (char byte = 0; stream.get(byte);) {
+    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
+  }
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return text.data();
+}
+
+std::string BuildVersion() { return GEON_BUILD_VERSION; }
+
+}  // namespace geon::config
