@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "attention/color_model.h"
+#include "sensor/image.h"
+
+namespace geon::attention {
+
+struct AttentionOptions {
+  // Thesis 4.2.1: a pixel with a background pixel "connected to it" is eroded. 8 (default) or 4.
+  // Pixels outside the image are not background: a target that leaves the image stays at its edge.
+  int erosion_neighbors = 8;
+  // "A blob large enough to be considered a geon" (4.2.2), after erosion.
+  int min_target_pixels = 60;
+  // A pixel with a channel at or above this level is clipped: its colour is lost.
+  int clipped_level = 250;
+
+  // What is wrong with the values; nothing when they are good.
+  std::optional<std::string> Validate() const;
+};
+
+// A group of connected (8-neighbour) pixels of the target's colour, after erosion.
+struct Blob {
+  sensor::PixelBox box;
+  int pixels = 0;
+  Eigen::Vector2d center_px = Eigen::Vector2d::Zero();  // centre of gravity (u, v)
+};
+
+struct TouchedEdges {
+  bool left = false, right = false, top = false, bottom = false;
+  bool any() const { return left || right || top || bottom; }
+};
+
+// What one colour image shows of the target.
+struct TargetSighting {
+  int width_px = 0;
+  int height_px = 0;
+  std::vector<Blob> blobs;  // largest first
+  int color_pixels = 0;     // of the target's colour, before erosion
+
+  // Largest blob of at least min_target_pixels; the rest below is about it, and empty without it.
+  std::optional<Blob> target;
+  std::vector<uint8_t> mask;                            // width x height, 255 on the target, else 0
+  Eigen::Vector2d bottom_px = Eigen::Vector2d::Zero();  // its bottommost point (u, v)
+  TouchedEdges touched;
+  int clipped_pixels = 0;  // clipped pixels inside its box: light the exposure lost
+};
+
+// Segments the image by colour, erodes, and takes the largest blob.
+//
+// Source: thesis 4.1.2 (binarisation), 4.2.1 (erosion, blob analysis), 4.2.3 (point x).
+// Input: kRgb8 or kBgr8. Throws ContractViolation for other formats, a size that does not fit the
+// data, or bad options.
+TargetSighting FindTarget(const sensor::Image& image, const ColorModel& model,
+                          const AttentionOptions& options = {});
+
+}  // namespace geon::attention

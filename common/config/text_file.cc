@@ -1,0 +1,58 @@
+#include "config/text_file.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace geon::config {
+
+Result<std::string> ReadFile(const std::filesystem::path& file, size_t max_bytes) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    return Status::Error(file.string() + ": is a directory, a file is needed");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    return Status::Error(file.string() + ": cannot open: " + std::strerror(errno));
+  }
+  std::string bytes(max_bytes + 1, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (stream.bad()) return Status::Error(file.string() + ": cannot read: " + std::strerror(errno));
+  bytes.resize(static_cast<size_t>(stream.gcount()));
+  if (bytes.size() > max_bytes) {
+    return Status::Error(file.string() + ": larger than the " + std::to_string(max_bytes) +
+                         " bytes such a file may have");
+  }
+  bytes.shrink_to_fit();
+  return bytes;
+}
+
+Status WriteFileAtomically(const std::filesystem::path& file, const std::string& bytes) {
+  const std::filesystem::path temporary =
+      file.string() + "." + std::to_string(::getpid()) + ".part";
+  {
+    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    stream.close();
+    if (!stream) {
+      const std::string why = std::strerror(errno);
+      std::error_code ignored;
+      std::filesystem::remove(temporary, ignored);
+      return Status::Error(file.string() + ": cannot write: " + why);
+    }
+  }
+  std::error_code error;
+  std::filesystem::rename(temporary, file, error);
+  if (error) {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    return Status::Error(file.string() + ": cannot replace: " + error.message());
+  }
+  return Status::Ok();
+}
+
+}  // namespace geon::config

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sensor/image.h"
+#include "sensor/stripe.h"
+
+namespace geon::rangefinder {
+
+struct PeakOptions {
+  double min_peak_1 = 12.0;      // grey levels above the background; fainter is no laser light
+  double noise_factor_1 = 6.0;   // and this many standard deviations of the image's noise
+  double base_fraction_1 = 0.2;  // of the peak: what lies below is not weighed in (3.6)
+  int half_window_px = 7;        // of the centroid, widened for a stripe that is wider
+  int max_width_px = 40;         // at half height; wider is glare
+  int max_step_px = 3;           // between neighbours on one unbroken piece of the stripe
+  int max_gap_px = 2;            // columns (rows) missing inside a piece
+  int min_piece_px = 6;          // shorter pieces are specks
+  int max_candidates = 4;        // bright spots considered in one column (row)
+
+  std::optional<std::string> Validate() const;
+};
+
+// What became of one column (horizontal stripe) or row (vertical stripe).
+enum class PeakReason {
+  kFound = 0,
+  kTooFaint = 1,   // nothing brighter than noise and threshold
+  kTooWide = 2,    // glare: a bright area, no line
+  kSpeck = 3,      // bright, but on no piece of stripe long enough
+  kAmbiguous = 4,  // two pieces of stripe claim it with equal right
+};
+std::string_view ToString(PeakReason reason);
+
+// All but `pixel` and `reason` are 0 unless kFound.
+struct StripePeak {
+  int pixel = 0;  // column of a horizontal stripe, row of a vertical one
+  PeakReason reason = PeakReason::kTooFaint;
+  double position_px = 0.0;  // row, or column, of the stripe's centre
+  double peak_1 = 0.0;       // grey levels above the background
+  double sigma_px = 0.0;     // width of the stripe: standard deviation of its brightness profile
+};
+
+// Finds the stripe in an image of laser light: one entry per column (horizontal) or row (vertical),
+// in order.
+//
+// Source: thesis 3.1, equation 3.6, as the errata say: the centroid in a window round the peak of
+// the lit minus the unlit image; the whole column of a raw image pulls it to the image's centre.
+// Deviation: of several bright spots in a column that one is taken which lies on the strongest
+// unbroken piece of stripe, and spots on none are refused, so that specks and reflections are not
+// measured. Input: kGray8. Throws ContractViolation for other formats or bad options.
+std::vector<StripePeak> FindStripePeaks(const sensor::Image& laser_light, sensor::Laser laser,
+                                        const PeakOptions& options = {});
+
+}  // namespace geon::rangefinder
