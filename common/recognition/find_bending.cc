@@ -1,0 +1,57 @@
+#include "recognition/find_bending.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/contracts.h"
+
+namespace geon::recognition {
+namespace {
+
+// How far p2 lies inside the line from p1 to p3, measured across the stripes' direction `across`
+// (0: x, 1: y), inwards being +1 (left and top ends) or -1 (right and bottom ends).
+double ConcaveDepth(const Eigen::Vector2d& p1, const Eigen::Vector2d& p2, const Eigen::Vector2d& p3,
+                    int across, double inwards) {
+  const int along = 1 - across;
+  const double span_m = p3[along] - p1[along];
+  if (span_m <= 0.0) return 0.0;  // crossed stripes tell nothing
+  const double t = std::clamp((p2[along] - p1[along]) / span_m, 0.0, 1.0);
+  return inwards * (p2[across] - (p1[across] + t * (p3[across] - p1[across])));
+}
+
+double LargestConcaveDepth(std::span<const ProfileEnds> ends, int across) {
+  double largest_m = 0.0;
+  for (size_t i = 0; i + 2 < ends.size(); ++i) {
+    const double first_m =
+        ConcaveDepth(ends[i].first_m, ends[i + 1].first_m, ends[i + 2].first_m, across, 1.0);
+    const double last_m =
+        ConcaveDepth(ends[i].last_m, ends[i + 1].last_m, ends[i + 2].last_m, across, -1.0);
+    largest_m = std::max({largest_m, first_m, last_m});
+  }
+  return largest_m;
+}
+
+}  // namespace
+
+void BendingOptions::Validate() const {
+  Require(concave_edge_m > 0.0,
+          "concave_edge_m is " + std::to_string(concave_edge_m) + ", must be positive");
+}
+
+sensor::BendingEvidence FindBending(std::span<const sensor::ProfileEvidence> profiles,
+                                    std::span<const ProfileEnds> horizontal,
+                                    std::span<const ProfileEnds> vertical,
+                                    const BendingOptions& options) {
+  sensor::BendingEvidence bending;
+  for (const sensor::ProfileEvidence& profile : profiles) {
+    bending.two_segments = bending.two_segments || profile.segments >= 2;
+    bending.concavity = bending.concavity || profile.concavities > 0;
+  }
+  bending.concave_edge_m =
+      std::max(LargestConcaveDepth(horizontal, 0), LargestConcaveDepth(vertical, 1));
+  bending.concave_edge = bending.concave_edge_m > options.concave_edge_m;  // (5.3)
+  return bending;
+}
+
+}  // namespace geon::recognition

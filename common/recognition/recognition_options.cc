@@ -1,0 +1,22 @@
+#include "recognition/recognition_options.h"
+
+#include <string>
+
+#include "base/contracts.h"
+
+namespace geon::recognition {
+
+void RecognitionOptions::Validate() const {
+  smoothing.Validate();
+  background.Validate();
+  segments.Validate();
+  difference_of_slope.Validate();
+  polyline.Validate();
+  bending.Validate();
+  tapering.Validate();
+  const int shortest = 2 * difference_of_slope.window + difference_of_slope.gap;
+  Require(samples > shortest, "samples is " + std::to_string(samples) +
+                                  ", must exceed 2 W + M = " + std::to_string(shortest));
+}
+
+}  // namespace geon::recognition
