@@ -11,21 +11,23 @@ namespace geon::sim {
 struct CameraOptions {
   double rate_hz = 5.0;
   double exposure_us = 20000.0;
-  double white_1 = 1.0;         // signal of light 1 at this exposure, in units of full scale
-  double gamma_1 = 2.2;         // signal to pixel value; 1 for a measuring camera
+  double white_1 = 1.0;          // signal of light 1 at this exposure, in units of full scale
+  double gamma_1 = 2.2;          // signal to pixel value; 1 for a measuring camera
   double full_well_e = 12000.0;  // electrons at full scale: shot noise
   double read_noise_e = 15.0;
-  double black_level_1 = 0.0;   // pedestal, in units of full scale
-  double blur_1 = 0.12;         // share of a pixel's light that the lens spreads to each neighbour, per axis
+  double black_level_1 = 0.0;  // pedestal, in units of full scale
+  double blur_1 =
+      0.12;  // share of a pixel's light that the lens spreads to each neighbour, per axis
 };
 
 // The two line lasers (thesis section 3.1: 20 mW, 670 nm) as the filtered B/W camera sees them.
 struct LaserOptions {
-  // Signal of the stripe's crest on a white surface at 1 m, in units of full scale. 1.7 puts the crest at
-  // 0.8 of full scale on the red paint of the geons.
+  // Signal of the stripe's crest on a white surface at 1 m, in units of full scale. 1.7 puts the
+  // crest at 0.8 of full scale on the red paint of the geons.
   double crest_1 = 1.7;
   double waist_sigma_m = 0.0007;  // half thickness (standard deviation) of the fan at its origin
-  double divergence_m = 1.4;      // distance at which it is thicker by sqrt(2): 2 mm full width half maximum at 1 m
+  double divergence_m =
+      1.4;  // distance at which it is thicker by sqrt(2): 2 mm full width half maximum at 1 m
   double fan_half_angle_rad = RadiansFromDegrees(30.0);
   // Contrast of the speckle between pixels. 0.17 moves the centroid by about 0.07 px rms.
   double speckle_1 = 0.17;

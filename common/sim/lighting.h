@@ -17,7 +17,8 @@ struct Lighting {
   Eigen::Vector3d lamp_W_m = Eigen::Vector3d(1.5, 2.25, 2.8);  // middle of the lamp
 };
 
-// Red, green and blue of a black body as the cameras see it: their white balance is locked to 4000 K.
+// Red, green and blue of a black body as the cameras see it: their white balance is locked to 4000
+// K.
 Eigen::Vector3f BlackBodyColor(double kelvin);
 
 }  // namespace geon::sim

@@ -32,10 +32,11 @@ struct Frame {
   std::vector<uint8_t> pixels;
 };
 
-// What the three cameras of one individual robot see. The individual (its mounting errors) and all noise
-// follow from the seed: the same seed, pose and `seq` give the same bytes.
+// What the three cameras of one individual robot see. The individual (its mounting errors) and all
+// noise follow from the seed: the same seed, pose and `seq` give the same bytes.
 //
-// Light without noise is kept as long as the pose stays the same, so a head that stands still is cheap.
+// Light without noise is kept as long as the pose stays the same, so a head that stands still is
+// cheap.
 class RigRenderer {
  public:
   RigRenderer(std::shared_ptr<const Scene> scene, const geometry::SensorRig& designed,
@@ -46,9 +47,9 @@ class RigRenderer {
 
   void SetScene(std::shared_ptr<const Scene> scene);
 
-  Frame HeadColor(const RigPose& pose, int64_t seq);                              // BGR
+  Frame HeadColor(const RigPose& pose, int64_t seq);                             // BGR
   Frame HeadBw(const RigPose& pose, const LaserFractions& lasers, int64_t seq);  // grey
-  Frame FloorColor(const RigPose& pose, int64_t seq);                             // BGR
+  Frame FloorColor(const RigPose& pose, int64_t seq);                            // BGR
 
   // The rig as it really is, mounting errors included. No host-side program may see it.
   const geometry::SensorRig& mounted_rig() const { return mounted_rig_; }
@@ -67,8 +68,8 @@ class RigRenderer {
   std::unique_ptr<Sight> color_, bw_, floor_;
 };
 
-// The calibration jig of thesis section 3.2: nothing but a flat matt board across the optical axis of the
-// B/W camera, `distance_m` in front of its centre.
+// The calibration jig of thesis section 3.2: nothing but a flat matt board across the optical axis
+// of the B/W camera, `distance_m` in front of its centre.
 std::shared_ptr<const Scene> BoardScene(const geometry::RigidTransform& X_WB, double distance_m);
 
 }  // namespace geon::sim

@@ -25,12 +25,13 @@ struct Body {
 // A surface seen by a ray. `body` is -1 where the ray leaves the world.
 struct Sighting {
   Eigen::Vector3f p_W_m = Eigen::Vector3f::Zero();
-  Eigen::Vector3f normal_W = Eigen::Vector3f::UnitZ();  // unit, of the smooth surface, towards the viewer
+  Eigen::Vector3f normal_W =
+      Eigen::Vector3f::UnitZ();  // unit, of the smooth surface, towards the viewer
   int body = -1;
 };
 
-// The world as rays find it (Embree). Immutable: many threads may ask at once. Results are the same on every
-// x86-64 machine: the instruction set is pinned.
+// The world as rays find it (Embree). Immutable: many threads may ask at once. Results are the same
+// on every x86-64 machine: the instruction set is pinned.
 class Scene : public Surroundings {
  public:
   Scene(std::vector<Body> bodies, const Lighting& lighting);
@@ -59,7 +60,8 @@ class Scene : public Surroundings {
   struct Tracer;  // Embree's handles
   std::vector<Body> bodies_;
   Lighting lighting_;
-  std::vector<std::vector<Eigen::Vector2d>> feet_W_m_;  // convex, counter-clockwise; of obstacles only
+  std::vector<std::vector<Eigen::Vector2d>>
+      feet_W_m_;  // convex, counter-clockwise; of obstacles only
   std::unique_ptr<Tracer> tracer_;
 };
 
