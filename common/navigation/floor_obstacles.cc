@@ -1,0 +1,181 @@
+#include "navigation/floor_obstacles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "base/contracts.h"
+
+namespace geon::navigation {
+
+namespace {
+
+struct Colour {
+  double red_share_1;
+  double green_share_1;
+  double level;
+};
+
+Colour ColourOf(const cv::Vec3b& bgr) {
+  const double sum = bgr[0] + bgr[1] + bgr[2];
+  if (sum <= 0.0) return {1.0 / 3.0, 1.0 / 3.0, 0.0};
+  return {bgr[2] / sum, bgr[1] / sum, sum / 3.0};
+}
+
+bool IsFloor(const cv::Vec3b& bgr, const FloorModel& model) {
+  const Colour colour = ColourOf(bgr);
+  return std::abs(colour.red_share_1 - model.red_share_1) <= model.share_tolerance_1 &&
+         std::abs(colour.green_share_1 - model.green_share_1) <= model.share_tolerance_1 &&
+         colour.level >= model.darkest_1 * model.level &&
+         colour.level <= model.brightest_1 * model.level;
+}
+
+// Where the ray through a pixel meets the floor, or nothing when it does not within the range.
+std::optional<Eigen::Vector2d> OnFloor(double u_px, double v_px,
+                                       const geometry::PinholeCamera& camera,
+                                       const geometry::RigidTransform& X_RF, double max_range_m) {
+  const Eigen::Vector3d ray_R = X_RF.linear() * camera.Ray(u_px, v_px);
+  if (ray_R.z() >= 0.0) return std::nullopt;
+  const Eigen::Vector3d p_R = X_RF.translation() - ray_R * (X_RF.translation().z() / ray_R.z());
+  if (p_R.head<2>().norm() > max_range_m) return std::nullopt;
+  return p_R.head<2>();
+}
+
+FloorColumn FollowColumn(const cv::Mat& not_floor, int u_px, const geometry::PinholeCamera& camera,
+                         const geometry::RigidTransform& X_RF,
+                         const FloorObstacleOptions& options) {
+  FloorColumn column;
+  int run_px = 0;
+  for (int v_px = not_floor.rows - 1; v_px >= 0; --v_px) {
+    // The lower edge of the pixel: where the obstacle can begin at the nearest.
+    const auto p_R_m = OnFloor(u_px, v_px + 0.5, camera, X_RF, options.max_range_m);
+    if (!p_R_m) break;
+    if (v_px == not_floor.rows - 1) column.begin_R_m = column.end_R_m = *p_R_m;
+    if (not_floor.at<uint8_t>(v_px, u_px) == 0) {
+      run_px = 0;
+      column.end_R_m = *p_R_m;
+      continue;
+    }
+    if (run_px++ == 0) column.end_R_m = *p_R_m;
+    if (run_px >= options.min_run_px) {
+      column.obstacle = true;
+      return column;
+    }
+  }
+  return column;
+}
+
+double Median(std::vector<double>* values) {
+  const auto middle = values->begin() + static_cast<long>(values->size() / 2);
+  std::nth_element(values->begin(), middle, values->end());
+  return *middle;
+}
+
+}  // namespace
+
+FloorModel FloorModel::OfColor(const std::array<double, 3>& color_rgb) {
+  const double sum = color_rgb[0] + color_rgb[1] + color_rgb[2];
+  Require(sum > 0.0, "FloorModel::OfColor: black has no colour");
+  FloorModel model;
+  model.red_share_1 = color_rgb[0] / sum;
+  model.green_share_1 = color_rgb[1] / sum;
+  model.level = sum / 3.0;
+  return model;
+}
+
+bool FloorModel::IsValid(std::string* error) const {
+  const bool valid = red_share_1 >= 0.0 && green_share_1 >= 0.0 &&
+                     red_share_1 + green_share_1 <= 1.0 && level > 0.0 && share_tolerance_1 > 0.0 &&
+                     darkest_1 >= 0.0 && darkest_1 < 1.0 && brightest_1 > 1.0;
+  if (!valid && error != nullptr) {
+    *error = "shares within 0..1, level and tolerance positive, darkest_1 < 1 < brightest_1";
+  }
+  return valid;
+}
+
+bool FloorObstacleOptions::IsValid(std::string* error) const {
+  const bool valid = max_range_m > 0.0 && min_run_px >= 1 && column_step_px >= 1 &&
+                     patch_near_m > 0.0 && patch_far_m > patch_near_m && patch_half_width_m > 0.0;
+  if (!valid && error != nullptr)
+    *error = "ranges, runs and steps positive, patch_near < patch_far";
+  return valid;
+}
+
+cv::Mat NotFloorMask(const cv::Mat& image_bgr, const FloorModel& model) {
+  Require(image_bgr.type() == CV_8UC3, "NotFloorMask: the image must be 8-bit BGR");
+  cv::Mat mask(image_bgr.size(), CV_8UC1);
+  for (int v_px = 0; v_px < image_bgr.rows; ++v_px) {
+    for (int u_px = 0; u_px < image_bgr.cols; ++u_px) {
+      const bool floor = IsFloor(image_bgr.at<cv::Vec3b>(v_px, u_px), model);
+      mask.at<uint8_t>(v_px, u_px) = floor ? 0 : 255;
+    }
+  }
+  cv::morphologyEx(mask, mask, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8U));
+  return mask;
+}
+
+std::vector<FloorColumn> FloorObstacles(const cv::Mat& not_floor,
+                                        const geometry::PinholeCamera& camera,
+                                        const geometry::RigidTransform& X_RF,
+                                        const FloorObstacleOptions& options) {
+  Require(not_floor.type() == CV_8UC1, "FloorObstacles: the mask must be 8-bit");
+  Require(not_floor.cols == camera.width_px && not_floor.rows == camera.height_px,
+          "FloorObstacles: the mask has not the camera's size");
+  std::string error;
+  Require(options.IsValid(&error), error);
+  std::vector<FloorColumn> columns;
+  for (int u_px = options.column_step_px / 2; u_px < not_floor.cols;
+       u_px += options.column_step_px) {
+    columns.push_back(FollowColumn(not_floor, u_px, camera, X_RF, options));
+  }
+  return columns;
+}
+
+std::optional<FloorModel> LearnFloor(const cv::Mat& image_bgr,
+                                     const geometry::PinholeCamera& camera,
+                                     const geometry::RigidTransform& X_RF, const FloorModel& prior,
+                                     const FloorObstacleOptions& options) {
+  Require(image_bgr.type() == CV_8UC3, "LearnFloor: the image must be 8-bit BGR");
+  std::vector<double> red_1;
+  std::vector<double> green_1;
+  std::vector<double> level;
+  std::vector<cv::Vec3b> patch;
+  for (int v_px = 0; v_px < image_bgr.rows; ++v_px) {
+    for (int u_px = 0; u_px < image_bgr.cols; ++u_px) {
+      const auto p_R_m = OnFloor(u_px, v_px, camera, X_RF, options.max_range_m);
+      if (!p_R_m || p_R_m->x() < options.patch_near_m || p_R_m->x() > options.patch_far_m ||
+          std::abs(p_R_m->y()) > options.patch_half_width_m) {
+        continue;
+      }
+      patch.push_back(image_bgr.at<cv::Vec3b>(v_px, u_px));
+      const Colour colour = ColourOf(patch.back());
+      red_1.push_back(colour.red_share_1);
+      green_1.push_back(colour.green_share_1);
+      level.push_back(colour.level);
+    }
+  }
+  if (patch.empty()) return std::nullopt;
+
+  FloorModel model = prior;
+  model.red_share_1 = Median(&red_1);
+  model.green_share_1 = Median(&green_1);
+  model.level = Median(&level);
+  const auto median_bgr =
+      cv::Vec3b(cv::saturate_cast<uint8_t>(3.0 * model.level *
+                                           (1.0 - model.red_share_1 - model.green_share_1)),
+                cv::saturate_cast<uint8_t>(3.0 * model.level * model.green_share_1),
+                cv::saturate_cast<uint8_t>(3.0 * model.level * model.red_share_1));
+  // Lamps differ from room to room: twice the prior's own window, and a factor of two in
+  // brightness.
+  FloorModel wide = prior;
+  wide.share_tolerance_1 *= 2.0;
+  wide.darkest_1 = 0.5;
+  wide.brightest_1 = 2.0;
+  if (!IsFloor(median_bgr, wide)) return std::nullopt;
+  const auto alike = std::count_if(patch.begin(), patch.end(),
+                                   [&](const auto& bgr) { return IsFloor(bgr, model); });
+  if (static_cast<double>(alike) < 0.9 * static_cast<double>(patch.size())) return std::nullopt;
+  return model;
+}
+
+}  // namespace geon::navigation

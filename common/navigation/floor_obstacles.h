@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/pinhole_camera.h"
+#include "geometry/rigid_transform.h"
+
+namespace geon::navigation {
+
+// What colour the floor has, as the floor camera sees it: shares of red and green in the sum (which
+// shadows hardly change), and a window of brightness (which separates grey from white and black).
+struct FloorModel {
+  double red_share_1 = 1.0 / 3.0;
+  double green_share_1 = 1.0 / 3.0;
+  double level = 150.0;              // mean of the three channels, 0..255
+  double share_tolerance_1 = 0.025;  // half-width of the window in each share
+  double darkest_1 = 0.6;     // window of brightness, as a part of `level`: seams and shadows
+  double brightest_1 = 1.35;  // stay inside
+
+  // A model of a floor of this colour (0..255), tolerances as above.
+  static FloorModel OfColor(const std::array<double, 3>& color_rgb);
+  bool IsValid(std::string* error) const;
+};
+
+struct FloorObstacleOptions {
+  double max_range_m = 3.0;  // farther ones are not asked for
+  int min_run_px = 3;        // an obstacle fills at least so many rows of its column ...
+  int column_step_px = 4;    // one answer for this many columns
+  // The patch that LearnFloor trusts to be floor: in front of the robot, clear of it.
+  double patch_near_m = 0.45;
+  double patch_far_m = 0.85;
+  double patch_half_width_m = 0.20;
+
+  bool IsValid(std::string* error) const;
+};
+
+// What the floor camera saw of the ground along one column of its picture: floor from `begin` (the
+// lowest row) to `end`, and whether something else begins there (or only the range or the picture
+// ends).
+struct FloorColumn {
+  Eigen::Vector2d begin_R_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d end_R_m = Eigen::Vector2d::Zero();
+  bool obstacle = false;
+};
+
+// 255 where a pixel has not the floor's colour; specks and lines under 3 pixels are gone.
+// `image_bgr` CV_8UC3.
+cv::Mat NotFloorMask(const cv::Mat& image_bgr, const FloorModel& model);
+
+// Nearest points that are not floor, by column.
+//
+// Source: thesis section 4.3, assumptions (i) and (iii): the colour of the floor is uniform and
+// known, whatever has another colour is an obstacle; "its location determined through a geometric
+// transformation": the ray of the lowest such pixel meets the plane of the floor. X_RF is the pose
+// of the camera on the robot; points are in R. Columns whose lowest row is already no floor end
+// there.
+std::vector<FloorColumn> FloorObstacles(const cv::Mat& not_floor,
+                                        const geometry::PinholeCamera& camera,
+                                        const geometry::RigidTransform& X_RF,
+                                        const FloorObstacleOptions& options);
+
+// Learns the floor's colour from the patch in front of the robot: medians of shares and brightness,
+// the tolerances of `prior`. No answer when the patch does not look like one floor, or like a floor
+// that is too unlike the prior one (something stands in front of the robot).
+std::optional<FloorModel> LearnFloor(const cv::Mat& image_bgr,
+                                     const geometry::PinholeCamera& camera,
+                                     const geometry::RigidTransform& X_RF, const FloorModel& prior,
+                                     const FloorObstacleOptions& options);
+
+}  // namespace geon::navigation

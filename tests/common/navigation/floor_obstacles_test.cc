@@ -1,0 +1,118 @@
+#include "navigation/floor_obstacles.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <opencv2/core.hpp>
+#include <random>
+
+#include "base/angles.h"
+#include "base/contracts.h"
+
+namespace geon::navigation {
+namespace {
+
+const geometry::PinholeCamera kCamera{320, 240, 160.0, 160.0, 159.5, 119.5};
+
+geometry::RigidTransform CameraPose() {
+  return geometry::MakeTransform(
+      geometry::RotationAboutY(RadiansFromDegrees(40)) * geometry::CameraAxesInBody(),
+      Eigen::Vector3d(0.15, 0.0, 0.85));
+}
+
+// A picture of the floor, each pixel coloured by where its ray meets the floor (BGR).
+cv::Mat Picture(const std::function<cv::Vec3b(double x_m, double y_m)>& color) {
+  const auto X_RF = CameraPose();
+  cv::Mat image(kCamera.height_px, kCamera.width_px, CV_8UC3);
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) {
+      const Eigen::Vector3d ray = X_RF.linear() * kCamera.Ray(u, v);
+      const Eigen::Vector3d p = X_RF.translation() - ray * (0.85 / ray.z());
+      image.at<cv::Vec3b>(v, u) = color(p.x(), p.y());
+    }
+  }
+  return image;
+}
+
+const cv::Vec3b kFloor(140, 150, 150);
+const FloorModel kModel = FloorModel::OfColor({150, 150, 140});
+
+std::vector<FloorColumn> Look(const cv::Mat& image) {
+  return FloorObstacles(NotFloorMask(image, kModel), kCamera, CameraPose(), {});
+}
+
+TEST(FloorObstaclesTest, BareFloorHasNone) {
+  for (const FloorColumn& column : Look(Picture([](double, double) { return kFloor; }))) {
+    EXPECT_FALSE(column.obstacle);
+    EXPECT_GT(column.end_R_m.norm(), 1.5);
+  }
+}
+
+TEST(FloorObstaclesTest, ABoxIsFoundWhereItStands) {
+  const auto columns = Look(Picture([](double x_m, double y_m) {
+    return x_m > 1.2 && std::abs(y_m) < 0.2 ? cv::Vec3b(120, 90, 90) : kFloor;
+  }));
+  int obstacles = 0;
+  for (const FloorColumn& column : columns) {
+    if (!column.obstacle) continue;
+    ++obstacles;
+    EXPECT_NEAR(column.end_R_m.x(), 1.2, 0.03);
+    EXPECT_LT(std::abs(column.end_R_m.y()), 0.23);
+  }
+  EXPECT_GT(obstacles, 5);
+}
+
+TEST(FloorObstaclesTest, TileSeamsShadowsAndSpecksAreFloor) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> noise(0.0, 4.0);
+  const auto image = Picture([&](double x_m, double y_m) {
+    double level = 1.0;
+    if (std::abs(std::remainder(x_m, 0.6)) < 0.004 || std::abs(std::remainder(y_m, 0.6)) < 0.004) {
+      level = 0.45;  // a seam, darker than the window
+    } else if (x_m > 1.0 && x_m < 1.3) {
+      level = 0.7;  // a shadow
+    }
+    cv::Vec3b pixel;
+    for (int c = 0; c < 3; ++c) {
+      pixel[c] = cv::saturate_cast<uint8_t>(level * kFloor[c] + noise(random));
+    }
+    return random() % 500 == 0 ? cv::Vec3b(0, 0, 255) : pixel;
+  });
+  for (const FloorColumn& column : Look(image)) EXPECT_FALSE(column.obstacle);
+}
+
+TEST(FloorObstaclesTest, SomethingAtTheLowestRowEndsTheColumnThere) {
+  const auto columns = Look(Picture([](double, double) { return cv::Vec3b(30, 30, 180); }));
+  for (const FloorColumn& column : columns) {
+    EXPECT_TRUE(column.obstacle);
+    EXPECT_EQ(column.begin_R_m, column.end_R_m);
+  }
+  EXPECT_NEAR(columns[columns.size() / 2].end_R_m.x(), 0.35, 0.02);
+}
+
+TEST(LearnFloorTest, LearnsTheShadeOfTheRoomsLight) {
+  const cv::Vec3b warm(100, 120, 126);
+  const auto model =
+      LearnFloor(Picture([&](double, double) { return warm; }), kCamera, CameraPose(), kModel, {});
+  ASSERT_TRUE(model.has_value());
+  EXPECT_NEAR(model->level, 115.3, 0.5);
+  EXPECT_NEAR(model->red_share_1, 126.0 / 346.0, 0.002);
+}
+
+TEST(LearnFloorTest, DoesNotTakeWhatStandsInFrontForFloor) {
+  const auto red = Picture([](double, double) { return cv::Vec3b(30, 30, 180); });
+  EXPECT_FALSE(LearnFloor(red, kCamera, CameraPose(), kModel, {}).has_value());
+  const auto half =
+      Picture([](double x_m, double) { return x_m > 0.7 ? cv::Vec3b(60, 60, 60) : kFloor; });
+  EXPECT_FALSE(LearnFloor(half, kCamera, CameraPose(), kModel, {}).has_value());
+}
+
+TEST(FloorObstaclesTest, RefusesWhatIsNotAPictureOfThisCamera) {
+  EXPECT_THROW(NotFloorMask(cv::Mat(240, 320, CV_8UC1), kModel), ContractViolation);
+  EXPECT_THROW(FloorObstacles(cv::Mat::zeros(10, 10, CV_8UC1), kCamera, CameraPose(), {}),
+               ContractViolation);
+}
+
+}  // namespace
+}  // namespace geon::navigation
