@@ -76,7 +76,8 @@ class LaserDriver {
   void Surprise(double time_s, const std::string& what);
   std::string NextCommand(double time_s);
   std::string Send(double time_s, int laser, bool on);
-  void UpdateReport(double time_s);
+  void LoseStep(double time_s);
+  void UpdateReport();
 
   LaserDriverOptions options_;
   LaserReport report_;
@@ -91,7 +92,11 @@ class LaserDriver {
   double last_step_s_ = 0.0;
   int refreshed_ = 0;  // which lamp's state was said last
   int failures_ = 0;   // in a row
-  bool foreign_ = false;
+  // Said to burn and not confirmed dark since.
+  sensor::Laser may_burn_ = sensor::Laser::kNone;
+  bool in_step_ = false;
+  bool foreign_ = false;  // another firmware answered last
+  bool restart_expected_ = false;
 };
 
 // For every way out of a program: says "off" to both lasers and waits at most `patience_s` for both

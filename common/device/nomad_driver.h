@@ -77,6 +77,8 @@ class NomadDriver {
 
  private:
   enum class Phase { kClosed, kQuiet, kSetup, kRunning };
+  static constexpr int kMaskStep = 1;
+  static constexpr int kSetupSteps = 7;  // ST CT CONF_TM CONF_SN AC SP GS
   struct Velocity {
     double speed_m_s = 0.0;
     double turn_rate_rad_s = 0.0;
@@ -90,9 +92,10 @@ class NomadDriver {
   void StartOver(double time_s, const std::string& why);
   std::string SendNext(double time_s);
   std::string Send(double time_s, NomadType type, std::string frame);
-  std::string SetupFrame(int step, NomadType* type) const;
+  std::string SendSetup(double time_s);
   std::string VelocityFrame() const;
-  void FollowOdometry(const NomadState& state, bool restarted);
+  bool SeemsRestarted(double time_s, const NomadState& state) const;
+  void MendOdometry(const NomadState& state);
 
   NomadDriverOptions options_;
   NomadMask mask_;
@@ -100,7 +103,7 @@ class NomadDriver {
   NomadReader reader_;
   Phase phase_ = Phase::kClosed;
   int setup_step_ = 0;
-  bool set_up_once_ = false;
+  bool set_up_ = false;
   std::optional<NomadType> outstanding_;
   double deadline_s_ = 0.0;
   double phase_since_s_ = 0.0;
@@ -110,7 +113,8 @@ class NomadDriver {
   std::optional<Velocity> velocity_;  // nothing: halt
   bool send_at_once_ = false;
   bool stop_confirmed_ = false;
-  std::optional<uint32_t> robot_time_ms_;
+  std::optional<uint32_t> robot_time_ms_;  // of the newest sample
+  bool odometry_broken_ = false;           // the robot restarted since
   // Pose in W of the origin of the robot's own odometry.
   double origin_x_m_ = 0.0, origin_y_m_ = 0.0, origin_heading_rad_ = 0.0;
 };

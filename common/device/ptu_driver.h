@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -77,7 +78,7 @@ class PtuDriver {
     double resolution_rad = 0.0;  // per count
     int min_count = 0, max_count = 0;
     int lower_speed = 0, upper_speed = 0;  // counts/s
-    int count = 0;
+    int count = 0, last_count = 0;
     std::optional<int> target_count;  // as accepted by the unit since the last initialisation
     int speed = 0;                    // counts/s, as accepted
   };
@@ -87,7 +88,12 @@ class PtuDriver {
     double timeout_s = 0.0;
     std::function<bool(const PtuLine&)> accept;
     bool may_refuse = false;
+    bool may_echo = false;
     bool is_reset = false;
+  };
+  struct Leniency {
+    bool may_refuse = false;
+    bool may_echo = false;
   };
 
   void Receive(double time_s, std::string_view bytes);
@@ -98,11 +104,10 @@ class PtuDriver {
   std::string AdvancePhase(double time_s);
   std::string SendNext(double time_s);
 
-  void QueueInitialisation(double time_s);
+  void QueueInitialisation();
   void QueueAxisQueries(Axis* axis);
-  void QueueSpeed(Axis* axis, int speed);
   void QueueCount(const std::string& letters, int lowest, int highest, int* count);
-  void QueuePlain(const std::string& letters, bool may_refuse = false);
+  void QueuePlain(const std::string& letters, const Leniency& leniency);
   void QueueReset();
   void QueueTarget();
   void QueuePoll();
@@ -126,6 +131,7 @@ class PtuDriver {
   Axis tilt_;
   std::optional<PtuTarget> target_;
   bool reset_wanted_ = false;
+  bool stalled_ = false;
   int stalls_ = 0;
   int failures_ = 0;  // in a row
 };

@@ -7,8 +7,8 @@
 
 namespace geon::sensor {
 
-// What is known of the two line lasers. `laser` is the one that burns or, while the board is being
-// recovered, the one that may burn: whoever must not meet laser light trusts `laser` alone.
+// What is known of the two line lasers. `laser` is the one that burns or, while its board is being
+// recovered, the one that may burn. Both are dark only when it is kNone and the status is kReady.
 struct LaserState {
   int64_t utime = 0;
   int32_t seq = 0;
