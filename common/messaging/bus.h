@@ -52,14 +52,14 @@ class Bus {
   // cannot receive (its message says why): let it end the process, the supervisor will try again.
   template <typename T>
   void Subscribe(std::string_view channel, std::function<void(const T&)> handler) {
-    SubscribeBytes(channel, kEvery, Decoding(std::move(handler)));
+    SubscribeBytes(channel, kEvery, WireFingerprint<T>(), Decoding(std::move(handler)));
   }
 
   // The newest message only: HandlePending() drains what has queued up and hands over the last one.
   // For images, and for states of which only the present counts.
   template <typename T>
   void SubscribeLatest(std::string_view channel, std::function<void(const T&)> handler) {
-    SubscribeBytes(channel, kLatest, Decoding(std::move(handler)));
+    SubscribeBytes(channel, kLatest, WireFingerprint<T>(), Decoding(std::move(handler)));
   }
 
   int file_descriptor() const;
@@ -74,6 +74,7 @@ class Bus {
   struct Subscription {
     Bus* bus = nullptr;
     Delivery delivery = kEvery;
+    uint64_t fingerprint = 0;
     BytesHandler handler;
     std::map<std::string, std::vector<uint8_t>, std::less<>> newest;  // kLatest: by channel
   };
@@ -89,7 +90,8 @@ class Bus {
     };
   }
   void PublishBytes(std::string_view channel, const std::vector<uint8_t>& bytes);
-  void SubscribeBytes(std::string_view channel, Delivery delivery, BytesHandler handler);
+  void SubscribeBytes(std::string_view channel, Delivery delivery, uint64_t fingerprint,
+                      BytesHandler handler);
   static void OnMessage(const lcm_recv_buf_t* buffer, const char* channel, void* subscription);
   void Receive(Subscription* subscription, std::string_view channel, const lcm_recv_buf_t& buffer);
   void Deliver(Subscription* subscription, std::string_view channel,

@@ -26,9 +26,11 @@ std::vector<uint8_t> Encode(const T& value);
 template <typename T>
 Result<T> Decode(std::span<const uint8_t> bytes);
 
-// "geon.image_t", for messages to people.
+// LCM's fingerprint of the type that carries T; and whether a message has it, told with the types'
+// names.
 template <typename T>
-std::string_view WireTypeName();
+uint64_t WireFingerprint();
+Status CheckFingerprint(uint64_t found, uint64_t expected);
 
 // What every message starts with. Nothing if the bytes are too few.
 struct MessageHead {
