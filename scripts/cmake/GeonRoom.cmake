@@ -1,3 +1,7 @@
+# Two groups to build: what runs, and the unit tests.
+add_custom_target(programs)
+add_custom_target(unit_tests)
+
 # geon_room(NAME DEPENDS room... LINK target...)
 #   A room of common/: a static library of its *.cc and the unit tests tests/common/NAME/*_test.cc.
 #   DEPENDS lists rooms (architecture.md's table, checked by tests/architecture), LINK other targets.
@@ -29,6 +33,7 @@ function(geon_unit_tests NAME DIRECTORY)
   target_compile_definitions(test_${NAME} PRIVATE GEON_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   target_link_libraries(test_${NAME} PRIVATE ${ARGN} geon_compiler GTest::gtest GTest::gmock
     GTest::gtest_main)
+  add_dependencies(unit_tests test_${NAME})
   add_test(NAME ${NAME} COMMAND test_${NAME})
   set_tests_properties(${NAME} PROPERTIES LABELS unit TIMEOUT 300)
 endfunction()
@@ -42,6 +47,7 @@ function(geon_program NAME)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cc)
   list(FILTER sources EXCLUDE REGEX "/main\\.cc$")
   add_executable(${NAME} main.cc)
+  add_dependencies(programs ${NAME})
   target_include_directories(${NAME} PRIVATE ${CMAKE_SOURCE_DIR})
   if(sources)
     add_library(${NAME}-lib STATIC ${sources})
