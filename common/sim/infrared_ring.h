@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <vector>
 
 #include "base/angles.h"
@@ -33,7 +32,8 @@ class InfraredRing {
   InfraredRing(const InfraredRingOptions& options, uint64_t seed, const Surroundings* surroundings);
 
   void Advance(double time_s, const RingPose& pose);
-  // Readings averaged over the last `history` + 1 samples; sensors not in `order` read 0.
+  // `history` tenths of a reading are the reading before it, 0 to 10; sensors not in `order` read
+  // 0.
   void Configure(int history, const std::vector<uint8_t>& order);
   void PowerCycle();
 
@@ -47,7 +47,7 @@ class InfraredRing {
   const Surroundings* surroundings_;
   std::array<bool, kCount> enabled_{};
   int history_ = 0;
-  std::deque<std::array<double, kCount>> samples_;
+  std::array<double, kCount> readings_{};
   double next_sample_s_ = 0.0;
 };
 

@@ -9,6 +9,7 @@
 #include "sim/bumper_ring.h"
 #include "sim/infrared_ring.h"
 #include "sim/nomad_frames.h"
+#include "sim/nomad_state.h"
 #include "sim/paced_bytes.h"
 #include "sim/serial_device.h"
 #include "sim/sonar_ring.h"
@@ -54,6 +55,8 @@ class NomadEmulator : public SerialDevice {
 
  private:
   enum class Waiting { kNone, kStopped, kZeroed };
+  // How MV drives one servo.
+  enum class ServoMode { kIgnore, kVelocity, kRelative, kLimp, kAcceleration, kSpeed, kAbsolute };
 
   void Tick();
   void HandleFrame(const NomadFrame& frame);
@@ -62,18 +65,18 @@ class NomadEmulator : public SerialDevice {
   std::optional<NomadFrame> ExecuteMotion(const NomadFrame& frame);
   std::optional<NomadFrame> ExecuteConfiguration(const NomadFrame& frame);
   std::optional<NomadFrame> ExecuteQuery(const NomadFrame& frame) const;
-  bool ConfigureSonar(const std::vector<uint8_t>& payload);
-  bool ConfigureInfrared(const std::vector<uint8_t>& payload);
-  bool MoveServos(const std::vector<uint8_t>& payload);
-  void Run(std::array<double, 3> velocities);
-  void MoveBy(std::array<double, 3> distances);
+  // Whether the turret is to go with the steering, for these raw values of the two.
+  void TieTurretFor(int steering, int turret);
+  void MoveServos(const std::vector<uint8_t>& payload);
+  void MoveServo(Servo servo, ServoMode mode, double value);
   void StartZeroing();
-  void StartWaiting(uint8_t type, const std::vector<uint8_t>& payload);
+  void StartWaiting(const NomadFrame& frame);
   void StepWaiting();
   void StopAll();
-  NomadFrame State(uint8_t type) const;
+  NomadFrame StateReply(uint8_t type) const;
+  NomadState Measure() const;
+  void EndWaiting();
   void Send(const NomadFrame& frame);
-  uint32_t ClockMilliseconds() const;
 
   NomadEmulatorOptions options_;
   SynchroDrive drive_;
@@ -81,8 +84,8 @@ class NomadEmulator : public SerialDevice {
   BumperRing bumpers_;
   InfraredRing infrared_;
   NomadFrameReader reader_;
-  std::array<uint8_t, 7> mask_{};
-  std::array<uint8_t, 4> scan_geometry_{};
+  NomadMask mask_{};
+  bool compass_on_ = true;
   double dead_man_s_ = 0.0;  // 0: never
   double last_command_s_ = 0.0;
   double last_byte_s_ = 0.0;

@@ -26,6 +26,7 @@ SynchroDrive::SynchroDrive(const SynchroDriveOptions& options, const Surrounding
 
 void SynchroDrive::PowerCycle() {
   axes_ = {};
+  turret_tied_ = false;
   odometry_m_.setZero();
   true_speed_m_s_ = 0.0;
   accelerations_ = {options_.max_acceleration_m_s2, options_.max_turn_acceleration_rad_s2,
@@ -70,6 +71,11 @@ void SynchroDrive::Hold(Servo servo) { axis(servo).RunAt(0.0, HoldDeceleration(s
 
 void SynchroDrive::Limp(Servo servo) { axis(servo).RunAt(0.0, 0.5 * HoldDeceleration(servo)); }
 
+void SynchroDrive::TieTurret(bool tied) {
+  if (tied || turret_tied_) axis(Servo::kTurret).Stop();
+  turret_tied_ = tied;
+}
+
 void SynchroDrive::DefineAngle(Servo servo, double angle_rad) {
   Require(servo != Servo::kTranslation, "the translation has no angle");
   axis(servo).Redefine(angle_rad);
@@ -88,7 +94,13 @@ void SynchroDrive::StepAngles(double dt_s) {
   const double steering_before_rad = position(Servo::kSteering);
   const double turret_before_rad = position(Servo::kTurret);
   axis(Servo::kSteering).Step(dt_s);
-  axis(Servo::kTurret).Step(dt_s);
+  if (turret_tied_) {
+    axis(Servo::kTurret)
+        .Obstruct(turret_before_rad + position(Servo::kSteering) - steering_before_rad,
+                  velocity(Servo::kSteering));
+  } else {
+    axis(Servo::kTurret).Step(dt_s);
+  }
   heading_W_rad_ +=
       (position(Servo::kSteering) - steering_before_rad) / options_.odometry_turn_scale_1;
   turret_W_rad_ += (position(Servo::kTurret) - turret_before_rad) / options_.odometry_turn_scale_1;

@@ -51,6 +51,9 @@ class SynchroDrive {
   void MoveTo(Servo servo, double position);
   void Hold(Servo servo);  // brake and stand
   void Limp(Servo servo);  // motor off: rolls out at half the hold deceleration
+  // Ties the turret to the steering (it ends its own motion at once), or lets it go.
+  void TieTurret(bool tied);
+  bool turret_tied() const { return turret_tied_; }
   void Step(double dt_s);
 
   // Encoders and odometry: what the robot knows of itself, zero when switched on.
@@ -93,6 +96,7 @@ class SynchroDrive {
   std::array<double, 3> speeds_;
   Eigen::Vector2d odometry_m_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d center_W_m_;
+  bool turret_tied_ = false;
   double heading_W_rad_;
   double turret_W_rad_;
   double true_speed_m_s_ = 0.0;
