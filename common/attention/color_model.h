@@ -24,8 +24,8 @@ struct HalfSpaceColor {
 };
 
 // A colour learned from samples (learn_color_model.h): an ellipse in the plane of chrominance over
-// luminance (I/Y, Q/Y), which brightness does not move, and limits of brightness inside which that
-// ratio means something.
+// luminance (I/Y, Q/Y), which brightness does not move, down to a brightness where that ratio still
+// means something.
 struct ChromaticityColor {
   double mean_i_1 = 0.0;  // of I/Y
   double mean_q_1 = 0.0;  // of Q/Y
@@ -34,8 +34,7 @@ struct ChromaticityColor {
   double inverse_iq_1 = 0.0;
   double inverse_qq_1 = 1.0;
   double max_distance_1 = 3.0;   // Mahalanobis distance of the ellipse's rim
-  double min_luminance_1 = 0.0;  // Y
-  double max_luminance_1 = 255.0;
+  double min_luminance_1 = 0.0;  // of Y
 };
 
 // Which pixels have the target's colour.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,17 @@
 namespace geon::attention {
 
 struct TeachingOptions {
-  double min_luminance_1 = 12.0;   // darker samples carry no colour
-  int clipped_level = 250;         // pixels with a channel at or above are not learned from
-  int min_samples = 100;           // fewer usable pixels are refused
-  double sample_fraction_1 = 0.9;  // of the teacher's region that surely is target (the rest: rim)
-  double max_reach_1 = 4.0;        // largest Mahalanobis distance the ellipse may reach
+  double min_luminance_1 = 12.0;  // darker samples carry no colour
+  int clipped_level = 250;        // pixels with a channel at or above are not learned from
+  int min_samples = 100;          // fewer usable pixels of the target are refused
+  // Rim of the ellipse, as Mahalanobis distance: the best one between these is taken.
+  double min_reach_1 = 1.5;
+  double max_reach_1 = 4.0;
+  // Standard deviation of chromaticity that a camera's noise has at least.
+  double noise_floor_1 = 0.02;
+
+  // What is wrong with the values; nothing when they are good.
+  std::optional<std::string> Validate() const;
 };
 
 // One picture of the teacher: which pixels are the target, everything else being background.

@@ -2,10 +2,10 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 
 namespace geon::config {
@@ -19,15 +19,17 @@ Result<std::string> ReadFile(const std::filesystem::path& file, size_t max_bytes
   if (!stream) {
     return Status::Error(file.string() + ": cannot open: " + std::strerror(errno));
   }
-  std::string bytes(max_bytes + 1, '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  std::string bytes;
+  std::array<char, 1U << 16U> chunk;
+  while (stream && bytes.size() <= max_bytes) {
+    stream.read(chunk.data(), chunk.size());
+    bytes.append(chunk.data(), static_cast<size_t>(stream.gcount()));
+  }
   if (stream.bad()) return Status::Error(file.string() + ": cannot read: " + std::strerror(errno));
-  bytes.resize(static_cast<size_t>(stream.gcount()));
   if (bytes.size() > max_bytes) {
     return Status::Error(file.string() + ": larger than the " + std::to_string(max_bytes) +
                          " bytes such a file may have");
   }
-  bytes.shrink_to_fit();
   return bytes;
 }
 

@@ -36,9 +36,9 @@ struct LookUpTable {
                        static_cast<size_t>(k)];
   }
 
-  // Distance along the optical axis of a stripe seen at `position_px` in column (row) `line`;
+  // Distance along the optical axis of a stripe seen at `wanted_px` in column (row) `line`;
   // nothing outside the calibrated range.
-  std::optional<double> Distance(int line, double position_px) const;
+  std::optional<double> Distance(int line, double wanted_px) const;
 };
 
 // The board at one distance, as seen in the average of several frames.

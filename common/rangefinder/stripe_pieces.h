@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace geon::rangefinder {
+
+// A bright spot in one column (row) that may be the stripe.
+struct PeakCandidate {
+  int line = 0;              // the column (row)
+  double position_px = 0.0;  // along it
+  double peak_1 = 0.0;
+  double sigma_px = 0.0;
+  bool too_wide = false;  // glare: on no piece
+};
+
+struct PieceOptions {
+  int max_step_px = 3;
+  int max_gap_px = 2;
+  int min_piece_px = 6;
+};
+
+// Unbroken pieces of stripe: runs of candidates, each close to its neighbour's in the next column
+// (row). Every candidate is on one piece at most; pieces shorter than min_piece_px are left out.
+// Returns indices into `candidates`, which must be sorted by line.
+std::vector<std::vector<size_t>> LinkPieces(const std::vector<PeakCandidate>& candidates,
+                                            const PieceOptions& options);
+
+}  // namespace geon::rangefinder
