@@ -10,9 +10,9 @@ namespace geon::recognition {
 struct TaperingOptions {
   // Lengths count as different (5.4-5.7) when they differ by more than this and this fraction:
   // noise alone would make three equal lengths monotone one time in three.
-  double length_tolerance_m = 0.002;
-  double length_tolerance_1 = 0.03;
-  double asymmetry_m = 0.012;  // k_tol of (5.8); the thesis prints no value
+  double length_tolerance_m = 0.006;
+  double length_tolerance_1 = 0.02;
+  double asymmetry_m = 0.030;  // k_tol of (5.8); the thesis prints no value
   void Validate() const;       // throws ContractViolation
 };
 
