@@ -22,7 +22,9 @@ constexpr int kExitUsage = 2;
 
 DaemonArguments::DaemonArguments(const std::string& program, const std::string& purpose,
                                  const std::string& examples)
-    : config_file(GEON_DEFAULT_CONFIG), app_(purpose, program), program_(program) {
+    : config_file(InstalledFile("scripts/config/robot.yaml")),
+      app_(purpose, program),
+      program_(program) {
   app_.set_version_flag("--version", program + " " + BuildVersion());
   app_.add_option("--config", config_file, "robot file; --check-config tells whether it is good")
       ->envname("GEON_CONFIG")
@@ -74,6 +76,10 @@ std::string FileHash(const std::filesystem::path& file) {
   std::array<char, 17> text{};
   std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
   return text.data();
+}
+
+std::filesystem::path InstalledFile(const std::string& relative) {
+  return std::filesystem::path(GEON_SOURCE_TREE) / relative;
 }
 
 std::string BuildVersion() { return GEON_BUILD_VERSION; }

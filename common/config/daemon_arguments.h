@@ -12,7 +12,7 @@ namespace geon::config {
 
 // The command line every daemon shares: --config, --check-config, --lcm-url, --version, --help.
 //
-//   DaemonArguments arguments("geon-ptu", "Drives the pan-tilt unit.", "geon-ptu --port run/ptu.tty");
+//   DaemonArguments arguments("geon-ptu", "Drives the pan-tilt unit.", "geon-ptu --port /dev/x");
 //   arguments.app().add_option("--port", port, "...");
 //   if (auto exit_code = arguments.Parse(argc, argv)) return *exit_code;
 //
@@ -33,7 +33,7 @@ class DaemonArguments {
 
   std::filesystem::path config_file;  // --config, else $GEON_CONFIG, else the installed robot.yaml
   bool check_config = false;
-  std::string lcm_url;                // --lcm-url, else $LCM_DEFAULT_URL, else empty: bus.url of the file
+  std::string lcm_url;  // --lcm-url, else $LCM_DEFAULT_URL, else empty: bus.url of the file
 
  private:
   CLI::App app_;
@@ -47,6 +47,9 @@ Result<YamlDocument> LoadRobotFile(const std::filesystem::path& file,
 
 // FNV-1a of the file's bytes, 16 hex digits: names a configuration in health and session messages.
 std::string FileHash(const std::filesystem::path& file);
+
+// A file that comes with the programs, by its path in the source tree: "scripts/config/robot.yaml".
+std::filesystem::path InstalledFile(const std::string& relative);
 
 // `git describe` of the build.
 std::string BuildVersion();

@@ -12,5 +12,5 @@ endif()
 file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [[
 #pragma once
 #define GEON_BUILD_VERSION "@VERSION@"
-#define GEON_DEFAULT_CONFIG "@SOURCE_DIR@/scripts/config/robot.yaml"
+#define GEON_SOURCE_TREE "@SOURCE_DIR@"
 ]])
