@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "sim/horus_gcode.h"
 #include "sim/paced_bytes.h"
 #include "sim/serial_device.h"
 #include "sim/trapezoid_axis.h"
@@ -24,9 +26,12 @@ struct HorusEmulatorOptions {
 
 // The Horus (Ciclop) board that switches the line lasers: G-code of hardware card 3.1 with the
 // quirks seen on the real firmware. Laser T1 draws the horizontal stripe, T2 the vertical one.
+//
+// Switching a laser waits for the turntable's queued moves, and with it every line behind; only
+// "?", "!", "~" and Ctrl-X are heard at once.
 class HorusEmulator : public SerialDevice {
  public:
-  static constexpr int kLaserCount = 4;
+  static constexpr size_t kLaserCount = 4;
 
   explicit HorusEmulator(const HorusEmulatorOptions& options = {});
 
@@ -41,32 +46,41 @@ class HorusEmulator : public SerialDevice {
   const std::array<bool, kLaserCount>& lasers() const { return lasers_; }
 
  private:
-  struct Block;  // the words of one line of G-code
+  struct Move {
+    double target_deg;
+    double feed_deg_s;
+  };
 
   void Tick();
-  void Reboot(double time_s);
   void SoftReset();
-  void HandleByte(uint8_t byte);
   bool HandleRealtime(uint8_t byte);
+  void HandleByte(char c);
   void HandleLine(const std::string& line);
-  std::string ExecuteSystem(std::string_view line);  // a "$" line; returns ok or error text
+  // Executes the blocked line as far as it can: false while it still waits for the turntable.
+  bool ExecuteBlock();
+  std::string ExecuteSystem(std::string_view line);
   std::string ExecuteSetting(std::string_view assignment);
-  std::string ExecuteBlock(const Block& block);
-  std::string ParseBlock(std::string_view line, Block* block) const;  // "ok" or why not
+  void StepMotor();
+  bool moving() const { return current_.has_value() || !moves_.empty(); }
   std::string StatusReport() const;
+  void Answer(const std::string& verdict);
   void Send(std::string_view text);
-  bool moving() const { return motor_.moving(); }
 
   HorusEmulatorOptions options_;
   std::array<bool, kLaserCount> lasers_{};
   TrapezoidAxis motor_;  // degrees
-  bool motor_powered_ = false;
-  bool held_ = false;
+  std::optional<Move> current_;
+  std::deque<Move> moves_;
+  double planned_deg_ = 0.0;  // where the last queued move ends
   double feed_deg_s_ = 0.0;
-  double acceleration_deg_s2_ = 300.0;
+  double acceleration_deg_s2_ = 300.0;  // $120, kept without power
+  bool motion_is_modal_ = false;
+  bool held_ = false;
+  bool alarm_ = false;
   std::string line_;
   bool in_comment_ = false;
-  std::optional<std::string> blocked_line_;  // a laser command behind a motion
+  std::deque<char> buffer_;          // received, not yet read
+  std::optional<HorusBlock> block_;  // the line being executed
   std::optional<double> boot_until_s_;
   double last_message_s_ = 0.0;
   int64_t ticks_ = 0;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,21 +8,15 @@
 #include <vector>
 
 #include "sim/paced_bytes.h"
-#include "sim/ptu_axis.h"
+#include "sim/ptu_commands.h"
+#include "sim/ptu_unit.h"
 #include "sim/serial_device.h"
 
 namespace geon::sim {
 
 struct PtuEmulatorOptions {
   int baud = 9600;
-  double resolution_arcsec = 185.1428;             // of one count, both axes
-  double pan_minimum = -3090, pan_maximum = 3090;  // counts, found at reset
-  double tilt_minimum = -907, tilt_maximum = 604;
-  double stop_margin = 30;            // counts from a bound to the hard stop
-  double highest_upper_speed = 5833;  // counts/s: the data sheet's 300 deg/s
-  double reset_speed = 1500;          // counts/s while hunting for the stops
-  double table_time_s = 1.0;          // to recompute the speed tables (xA, xB, xL, lowering xU)
-  double upper_speed_time_s = 6.0;    // to raise xU
+  PtuUnitOptions unit;
   double reply_latency_s = 0.002;
   bool reset_ends_with_newline = true;  // some firmware sends the reset's last star bare
   // Whether the unit still has its power-up reset ahead when the world begins.
@@ -45,79 +38,33 @@ class PtuEmulator : public SerialDevice {
   void PowerCycle(double time_s) override;
 
   // Something catches the head: the axis loses steps and reports it (!P or !T).
-  void StallPan(double counts) { pan_.LoseSteps(counts); }
-  void StallTilt(double counts) { tilt_.LoseSteps(counts); }
+  void StallPan(double counts) { unit_.axis(PtuAxisId::kPan).LoseSteps(counts); }
+  void StallTilt(double counts) { unit_.axis(PtuAxisId::kTilt).LoseSteps(counts); }
 
   // The truth: where the head really points, and whether it moves.
-  double pan_rad() const;
-  double tilt_rad() const;
-  bool moving() const { return pan_.moving() || tilt_.moving(); }
+  double pan_rad() const { return unit_.shaft_rad(PtuAxisId::kPan); }
+  double tilt_rad() const { return unit_.shaft_rad(PtuAxisId::kTilt); }
+  bool moving() const { return unit_.moving(); }
 
  private:
-  struct Command;  // letters and argument of one received word
-  enum class ResetStep { kNone, kTiltDown, kTiltUp, kPanRight, kPanLeft, kHome };
-  // What DS saves and DR restores.
-  struct Settings {
-    PtuAxisSettings pan, tilt;
-    bool limits = true;
-    bool immediate = true;
-    bool velocity_mode = false;
-    bool monitor_at_power_up = false;
-    bool reset_pan_at_power_up = true;
-    bool reset_tilt_at_power_up = true;
-    int unit_id = 0;
-  };
-  struct Monitor {
-    double pan_a = -2000, pan_b = 2000, tilt_a = 0, tilt_b = 0;
-    bool running = false;
-    bool towards_b = false;
-  };
-
   void Tick();
   void HandleByte(uint8_t byte);
-  void HandleWord(std::string word);
-  std::string Execute(const Command& command);  // the reply without star, or "! why"
-  std::string ExecuteGeneral(const Command& command);
-  std::string ExecuteModes(const Command& command);
-  std::string ExecuteAxis(const Command& command);
-  std::string AxisQuery(const Command& command);
-  std::string SetPosition(const Command& command);
-  std::string SetSpeed(const Command& command);
-  std::string SetTable(const Command& command);
-  std::string ExecutePower(const Command& command);
-  std::string ExecuteMonitor(const Command& command);
-  std::string ExecuteNetwork(const Command& command);
-  std::string ExecuteSettings(const Command& command);
-
-  PtuAxis& AxisOf(const Command& command);
-  void StartPendingMoves();
-  void StopMonitorAndGoHome();
-  void StartReset(bool tilt, bool pan);
-  void StepReset();
-  void EnterResetStep(ResetStep step);
-  void StepMonitor();
-  void Reply(const std::string& result);
+  void HandleWord(const std::string& word);
+  void SelectUnit(int id);
+  void Answer(const PtuReply& reply);
+  void FinishPending();
+  // To the host, or kept for later by a unit that is not selected.
   void Send(std::string_view text);
-  bool busy() const;
 
   PtuEmulatorOptions options_;
-  PtuAxis pan_;
-  PtuAxis tilt_;
-  Settings saved_;
-  Settings settings_;
-  Monitor monitor_;
-  bool echo_ = true;
-  bool verbose_ = true;
+  PtuUnit unit_;
   bool selected_ = true;
   std::string word_;
-  std::string muted_;  // replies of a unit that is not selected
-  std::optional<double> pending_pan_, pending_tilt_;
-  bool awaiting_ = false;                // A: replies when both axes have arrived
-  std::optional<double> table_until_s_;  // recomputing tables: deaf until then
-  ResetStep reset_ = ResetStep::kNone;
-  bool resets_pan_ = false;
-  bool announces_reset_ =
-      false;  // a reset asked for by R ends with a star, one at power-up with the banner
+  std::string muted_;
+  // A command whose answer comes later; the unit hears nothing until then.
+  std::optional<PtuReply> pending_;
+  std::optional<double> tables_ready_s_;
+  bool powering_up_ = false;
   int64_t ticks_ = 0;
   double now_s_ = 0.0;
   PacedBytes from_host_;
