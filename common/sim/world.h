@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/geon_label.h"
+#include "geons/geon_shape.h"
+#include "sim/lighting.h"
+
+namespace geon::sim {
+
+struct MeshShape {
+  std::filesystem::path file;  // Wavefront OBJ, z up
+  double height_m = 0.2;       // scaled uniformly to this height
+  std::optional<GeonLabel> truth;
+};
+struct BoxShape {
+  Eigen::Vector3d size_m = Eigen::Vector3d::Constant(0.5);
+};
+struct CylinderShape {
+  double radius_m = 0.1;
+  double height_m = 1.0;
+};
+
+struct WorldObject {
+  std::variant<geons::GeonShape, MeshShape, BoxShape, CylinderShape> shape;
+  double x_m = 0.0;
+  double y_m = 0.0;
+  std::optional<double>
+      z_m;  // of its foot; else the floor, or the top of the box below a geon or mesh
+  double yaw_rad = 0.0;
+  Eigen::Vector3d color_rgb = Eigen::Vector3d(90, 90, 120);  // as seen in full light, 0 to 255
+  std::optional<double> reflectance_1;  // at the lasers' 670 nm; else from the colour
+};
+
+// What a world file says (docs/worlds.md). The pen's corner is the origin of W; x runs along its
+// first side.
+struct World {
+  Eigen::Vector2d pen_size_m = Eigen::Vector2d(3.0, 4.5);
+  double wall_height_m = 0.65;
+  Eigen::Vector3d floor_color_rgb = Eigen::Vector3d(150, 150, 140);
+  double floor_tile_m = 0.6;
+  double groove_tilt_rad = 0.0;  // how far the robot tilts with one wheel in a groove between tiles
+  double robot_x_m = 0.5;
+  double robot_y_m = 0.5;
+  double robot_heading_rad = 0.0;
+  Lighting lighting;
+  std::vector<WorldObject> objects;
+};
+
+inline constexpr double kRobotRadius_m = 0.267;
+
+// The height an object stands at.
+double FootHeight(const World& world, const WorldObject& object);
+
+// The shape's name if it is a geon, or a mesh that is said to be one.
+std::optional<GeonLabel> TrueLabel(const WorldObject& object);
+
+// Corners of a box from above, counter-clockwise.
+std::vector<Eigen::Vector2d> BoxOutline(const WorldObject& box);
+
+}  // namespace geon::sim
