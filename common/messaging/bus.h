@@ -26,7 +26,7 @@ struct BusOptions {
   // How long Open() waits for a route to the multicast group (a network that is still coming up).
   double route_timeout_s = 10.0;
   // Where warnings go; empty: the log.
-  std::function<void(const std::string&)> warn;
+  std::function<void(const std::string&)> warn = nullptr;
 };
 
 // One process's place on the LCM bus. Single-threaded: watch file_descriptor() in a PollLoop and

@@ -1,0 +1,134 @@
+#include "device/socket_frame_source.h"
+
+#include <zmq.h>
+
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/contracts.h"
+#include "device/frame_message.h"
+
+namespace geon::device {
+namespace {
+
+// One part of a message, as ZeroMQ owns it.
+class Part {
+ public:
+  Part() { zmq_msg_init(&message_); }
+  ~Part() { zmq_msg_close(&message_); }
+  Part(const Part&) = delete;
+  Part& operator=(const Part&) = delete;
+
+  bool Receive(void* socket) { return zmq_msg_recv(&message_, socket, ZMQ_DONTWAIT) >= 0; }
+  bool more() const { return zmq_msg_more(&message_) != 0; }
+  std::span<const uint8_t> bytes() {
+    return {static_cast<const uint8_t*>(zmq_msg_data(&message_)), zmq_msg_size(&message_)};
+  }
+  std::string_view text() {
+    return {static_cast<const char*>(zmq_msg_data(&message_)), zmq_msg_size(&message_)};
+  }
+
+ private:
+  zmq_msg_t message_;
+};
+
+}  // namespace
+
+struct SocketFrameSource::Socket {
+  explicit Socket(const std::string& endpoint) : context(zmq_ctx_new()) {
+    socket = zmq_socket(context, ZMQ_SUB);
+    const int few_frames = 4;  // a busy daemon wants the newest, not a queue
+    const int no_linger = 0;
+    zmq_setsockopt(socket, ZMQ_RCVHWM, &few_frames, sizeof(few_frames));
+    zmq_setsockopt(socket, ZMQ_LINGER, &no_linger, sizeof(no_linger));
+    zmq_setsockopt(socket, ZMQ_SUBSCRIBE, "", 0);
+    Require(zmq_connect(socket, endpoint.c_str()) == 0,
+            "no ZeroMQ endpoint: " + endpoint + ": " + zmq_strerror(zmq_errno()));
+  }
+  ~Socket() {
+    zmq_close(socket);
+    zmq_ctx_term(context);
+  }
+  Socket(const Socket&) = delete;
+  Socket& operator=(const Socket&) = delete;
+  void* context;
+  void* socket = nullptr;
+};
+
+SocketFrameSource::SocketFrameSource(const std::string& endpoint, const FrameSourceOptions& options)
+    : options_(options), endpoint_(endpoint), socket_(std::make_unique<Socket>(endpoint)) {}
+
+SocketFrameSource::~SocketFrameSource() = default;
+
+int SocketFrameSource::file_descriptor() const {
+  int fd = -1;
+  size_t size = sizeof(fd);
+  zmq_getsockopt(socket_->socket, ZMQ_FD, &fd, &size);
+  return fd;
+}
+
+Result<std::optional<sensor::Image>> SocketFrameSource::Poll(double time_s) {
+  if (!last_frame_s_) last_frame_s_ = time_s;  // the wait for the first frame begins
+  std::optional<sensor::Image> newest;
+  Status trouble;
+  // The descriptor tells edges, not levels: everything must be taken out each time.
+  while (true) {
+    Result<std::optional<sensor::Image>> frame = ReceiveOne();
+    if (!frame.ok()) {
+      trouble = frame.status();
+      continue;
+    }
+    if (!frame->has_value()) break;
+    if (!watch_.IsFreshStamp((*frame)->utime)) {
+      trouble = Status::Error("frames repeat the stamp " + std::to_string((*frame)->utime));
+      continue;
+    }
+    newest = std::move(*frame);
+  }
+  if (newest) {
+    last_frame_s_ = time_s;
+    reconnects_ += std::exchange(timed_out_, false) ? 1 : 0;
+    return newest;
+  }
+  if (time_s - *last_frame_s_ < options_.timeout_s) {
+    return trouble.ok() ? Result<std::optional<sensor::Image>>(std::nullopt)
+                        : Result<std::optional<sensor::Image>>(trouble.In(endpoint_));
+  }
+  if (!timed_out_) watch_.Reset();  // who publishes next may have another clock
+  timed_out_ = true;
+  return Status::Error(endpoint_ + ": no fresh frame for " + std::to_string(options_.timeout_s) +
+                       " s" + (trouble.ok() ? "" : " (" + trouble.message() + ")"));
+}
+
+Result<std::optional<sensor::Image>> SocketFrameSource::ReceiveOne() {
+  Part header;
+  if (!header.Receive(socket_->socket)) return std::optional<sensor::Image>();
+  if (!header.more()) return Status::Error("a frame message of one part");
+  Part pixels;
+  if (!pixels.Receive(socket_->socket)) return Status::Error("a frame message without pixels");
+  bool extra = pixels.more();
+  const bool has_extra = extra;
+  while (extra) {
+    Part part;
+    extra = part.Receive(socket_->socket) && part.more();
+  }
+  if (has_extra) return Status::Error("a frame message of more than two parts");
+  Result<sensor::Image> image = ParseFrame(header.text(), pixels.bytes());
+  if (!image.ok()) return image.status();
+  if (Status status = CheckFrame(*image); !status.ok()) return status;
+  return std::optional<sensor::Image>(std::move(*image));
+}
+
+Status SocketFrameSource::CheckFrame(const sensor::Image& image) const {
+  if (image.width_px != options_.width_px || image.height_px != options_.height_px) {
+    return Status::Error(
+        "a frame of " + std::to_string(image.width_px) + "x" + std::to_string(image.height_px) +
+        ", not " + std::to_string(options_.width_px) + "x" + std::to_string(options_.height_px));
+  }
+  if (image.format != options_.format) return Status::Error("a frame of the wrong pixel format");
+  return Status::Ok();
+}
+
+}  // namespace geon::device

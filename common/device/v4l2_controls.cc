@@ -1,0 +1,99 @@
+#include "device/v4l2_controls.h"
+
+#include <fcntl.h>
+#include <linux/videodev2.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+namespace geon::device {
+namespace {
+
+int32_t PowerLineMenu(int hz) {
+  if (hz == 50) return V4L2_CID_POWER_LINE_FREQUENCY_50HZ;
+  if (hz == 60) return V4L2_CID_POWER_LINE_FREQUENCY_60HZ;
+  return V4L2_CID_POWER_LINE_FREQUENCY_DISABLED;
+}
+
+std::string Named(const ControlSetting& setting, int32_t value) {
+  return setting.name + " = " + std::to_string(value);
+}
+
+Status ApplyControl(const ControlSetting& setting, const Ioctl& device_ioctl) {
+  v4l2_ext_control control{};
+  control.id = setting.id;
+  control.value = setting.value;
+  v4l2_ext_controls controls{};
+  controls.which = V4L2_CTRL_WHICH_CUR_VAL;
+  controls.count = 1;
+  controls.controls = &control;
+  if (device_ioctl(VIDIOC_S_EXT_CTRLS, &controls) != 0) {
+    if (!setting.required) return Status::Ok();
+    return Status::Error("the camera refuses " + Named(setting, setting.value) + ": " +
+                         std::strerror(errno));
+  }
+  control.value = 0;
+  if (device_ioctl(VIDIOC_G_EXT_CTRLS, &controls) != 0) {
+    return Status::Error("the camera does not read back " + setting.name + ": " +
+                         std::strerror(errno));
+  }
+  if (control.value != setting.value) {
+    return Status::Error("the camera has " + Named(setting, control.value) + ", not the " +
+                         std::to_string(setting.value) + " written");
+  }
+  return Status::Ok();
+}
+
+}  // namespace
+
+std::vector<ControlSetting> ControlSettings(const CameraControls& controls) {
+  std::vector<ControlSetting> settings;
+  if (controls.exposure_s) {
+    const auto exposure_100us = static_cast<int32_t>(std::lround(*controls.exposure_s * 1e4));
+    settings.push_back(
+        {V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL, "auto exposure (1: manual)", true});
+    settings.push_back(
+        {V4L2_CID_EXPOSURE_AUTO_PRIORITY, 0, "exposure may change the frame rate", false});
+    settings.push_back({V4L2_CID_EXPOSURE_ABSOLUTE, exposure_100us, "exposure (100 us)", true});
+  }
+  if (controls.gain) {
+    settings.push_back({V4L2_CID_AUTOGAIN, 0, "auto gain", false});
+    settings.push_back({V4L2_CID_GAIN, *controls.gain, "gain", true});
+  }
+  if (controls.white_balance_k) {
+    settings.push_back({V4L2_CID_AUTO_WHITE_BALANCE, 0, "auto white balance", true});
+    settings.push_back(
+        {V4L2_CID_WHITE_BALANCE_TEMPERATURE, *controls.white_balance_k, "white balance (K)", true});
+  }
+  if (controls.power_line_hz) {
+    settings.push_back({V4L2_CID_POWER_LINE_FREQUENCY, PowerLineMenu(*controls.power_line_hz),
+                        "power line frequency (menu)", true});
+  }
+  if (!settings.empty()) {
+    settings.push_back({V4L2_CID_FOCUS_AUTO, 0, "auto focus", false});
+    settings.push_back({V4L2_CID_BACKLIGHT_COMPENSATION, 0, "backlight compensation", false});
+  }
+  return settings;
+}
+
+Status ApplyControls(const std::vector<ControlSetting>& settings, const Ioctl& device_ioctl) {
+  for (const ControlSetting& setting : settings) {
+    if (Status status = ApplyControl(setting, device_ioctl); !status.ok()) return status;
+  }
+  return Status::Ok();
+}
+
+Status ApplyControls(const CameraControls& controls, const std::string& device) {
+  const int fd = open(device.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+  if (fd < 0) return Status::Error(device + ": " + std::strerror(errno));
+  const Status status = ApplyControls(
+      ControlSettings(controls),
+      [fd](unsigned long request, void* argument) { return ioctl(fd, request, argument); });
+  close(fd);
+  return status.In(device);
+}
+
+}  // namespace geon::device
