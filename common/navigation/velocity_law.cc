@@ -72,12 +72,12 @@ DriveVelocity DriveTo(const Eigen::Vector2d& waypoint_R_m,
   return velocity;
 }
 
-DriveVelocity DriveBack(double distance_m, double max_speed_m_s,
-                        std::span<const Eigen::Vector2d> obstacles_R_m,
-                        const VelocityLawOptions& options) {
-  const double behind_m = FreeTravel(obstacles_R_m, -1.0, options);
-  return {-std::min({max_speed_m_s, StoppingSpeed(distance_m, options),
-                     StoppingSpeed(behind_m, options)}),
+DriveVelocity Creep(double direction, double distance_m, double max_speed_m_s,
+                    std::span<const Eigen::Vector2d> obstacles_R_m,
+                    const VelocityLawOptions& options) {
+  const double free_m = FreeTravel(obstacles_R_m, direction, options);
+  return {direction * std::min({max_speed_m_s, StoppingSpeed(distance_m, options),
+                                StoppingSpeed(free_m, options)}),
           0.0};
 }
 

@@ -43,11 +43,11 @@ DriveVelocity DriveTo(const Eigen::Vector2d& waypoint_R_m,
                       std::span<const Eigen::Vector2d> obstacles_R_m, double previous_speed_m_s,
                       double step_s, const VelocityLawOptions& options);
 
-// Straight back by `distance_m` at no more than `max_speed_m_s`, with the same care for what is
-// behind.
-DriveVelocity DriveBack(double distance_m, double max_speed_m_s,
-                        std::span<const Eigen::Vector2d> obstacles_R_m,
-                        const VelocityLawOptions& options);
+// Straight ahead (`direction` +1) or back (-1) by `distance_m` at no more than `max_speed_m_s`,
+// with the same care for what is there.
+DriveVelocity Creep(double direction, double distance_m, double max_speed_m_s,
+                    std::span<const Eigen::Vector2d> obstacles_R_m,
+                    const VelocityLawOptions& options);
 
 // Turns on the spot toward a bearing (frame R).
 DriveVelocity TurnTo(double bearing_rad, const VelocityLawOptions& options);

@@ -70,9 +70,9 @@ TEST(VelocityLawTest, NeverTouchesAPointAheadDespiteTheDelay) {
 
 TEST(VelocityLawTest, BacksOffSlowlyAndNotIntoThings) {
   const VelocityLawOptions options;
-  EXPECT_NEAR(DriveBack(0.5, 0.1, {}, options).speed_m_s, -0.1, 1e-12);
+  EXPECT_NEAR(Creep(-1.0, 0.5, 0.1, {}, options).speed_m_s, -0.1, 1e-12);
   const std::vector<Vector2d> behind = {{-0.30, 0.0}};
-  EXPECT_EQ(DriveBack(0.5, 0.1, behind, options).speed_m_s, 0.0);
+  EXPECT_EQ(Creep(-1.0, 0.5, 0.1, behind, options).speed_m_s, 0.0);
 }
 
 TEST(VelocityLawTest, CommandsStayWithinTheLimits) {

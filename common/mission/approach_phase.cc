@@ -1,0 +1,106 @@
+#include "mission/approach_phase.h"
+
+#include <cmath>
+
+namespace geon::mission {
+
+namespace {
+
+constexpr double kOffAim_rad = 0.06;  // a third of the colour camera's half view
+constexpr double kFacing_rad = 0.10;
+constexpr double kUnseen_s = 12.0;  // then the estimate is no longer trusted
+
+}  // namespace
+
+void ApproachPhase::Enter(Context* context) {
+  context->drive.Rest();
+  context->view.reset();
+  odometry_epoch_ = context->senses.odometry_epoch();
+  seen_s_ = nearer_s_ = context->time_s;
+  nearest_m_ = 1e9;
+  wander_until_s_ = -1.0;
+}
+
+Transition ApproachPhase::Step(Context* context) {
+  if (context->senses.odometry_epoch() != odometry_epoch_) {
+    return Next{Phase::kSearch, "odometry started anew, the target's place is not known"};
+  }
+  See(context);
+  if (context->time_s - seen_s_ > kUnseen_s) {
+    return Next{Phase::kSearch, "the target was not seen for too long"};
+  }
+  const SupportHypothesis* target =
+      context->target.NearestLikely(context->senses.X_WR().translation().head<2>());
+  if (target == nullptr) return Next{Phase::kSearch, "the target was lost"};
+  KeepHeadOn(context, *target);
+
+  const Eigen::Vector2d target_R_m = InRobot(*context, target->p_WFoot_m);
+  const auto& looking = context->options.looking;
+  if (target_R_m.norm() <= looking.stop_distance_m + looking.stop_tolerance_m) {
+    return Arrive(context, target_R_m);
+  }
+  if (context->time_s < wander_until_s_) {
+    context->text = "trapped, wandering to find another way";
+    context->wishes.velocity = context->drive.Wander(context->time_s, context->senses);
+    nearest_m_ = 1e9;
+    nearer_s_ = context->time_s;
+    return std::nullopt;
+  }
+  context->text =
+      "approaching the target, " + std::to_string(target_R_m.norm()).substr(0, 4) + " m away";
+  context->wishes.velocity = context->drive.Toward(context->time_s, context->senses,
+                                                   target->p_WFoot_m, looking.stop_distance_m);
+  return GuardProgress(context, target_R_m.norm());
+}
+
+void ApproachPhase::See(Context* context) {
+  const auto& head = context->senses.head();
+  if (head && head->seen.target) {
+    context->target.See(*head);
+    seen_s_ = context->time_s;
+  }
+  const auto& floor = context->senses.floor();
+  if (floor) {
+    context->target.See(*floor);
+    if (floor->seen.target) seen_s_ = context->time_s;
+  }
+}
+
+void ApproachPhase::KeepHeadOn(Context* context, const SupportHypothesis& target) {
+  const auto aim = AimAt(*context, target.p_WFoot_m, target.support_height_m + kTargetMiddle_m);
+  if (!aim) return;
+  const auto& wanted = context->head.wanted();
+  if (wanted && std::abs(wanted->pan_rad - aim->pan_rad) < kOffAim_rad &&
+      std::abs(wanted->tilt_rad - aim->tilt_rad) < kOffAim_rad) {
+    return;
+  }
+  context->head.Point(*aim);
+}
+
+Transition ApproachPhase::Arrive(Context* context, const Eigen::Vector2d& target_R_m) {
+  context->text = "facing the target";
+  const double bearing_rad = std::atan2(target_R_m.y(), target_R_m.x());
+  if (std::abs(bearing_rad) > kFacing_rad) {
+    context->wishes.velocity = context->drive.TurnTo(bearing_rad);
+    return std::nullopt;
+  }
+  if (context->senses.base().moving) return std::nullopt;
+  return Next{Phase::kCentre, "arrived before the target"};
+}
+
+Transition ApproachPhase::GuardProgress(Context* context, double distance_m) {
+  const auto& driving = context->options.driving;
+  if (distance_m < nearest_m_ - driving.progress_m) {
+    nearest_m_ = distance_m;
+    nearer_s_ = context->time_s;
+  }
+  if (context->time_s - nearer_s_ <= driving.progress_s) return std::nullopt;
+  if (context->counters.traps++ >= context->options.patience.traps) {
+    return Next{Phase::kDone, "trapped: no way to the target was found"};
+  }
+  wander_until_s_ = context->time_s + driving.wander_s;
+  context->drive.Rest();
+  return std::nullopt;
+}
+
+}  // namespace geon::mission

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "mission/phase.h"
+
+namespace geon::mission {
+
+// Turns the head, 0.75 of the angle at a time, until the whole target is in view (thesis 4.2.2),
+// and measures where it stands (4.2.3). The robot stands still.
+//
+// Ends with a view for the scan, or: too far or not faced (approach), too large for the picture,
+// out of the head's reach or too near (step back), lost (search around).
+class CentrePhase {
+ public:
+  void Enter(Context* context);
+  Transition Step(Context* context);
+
+ private:
+  Transition Judge(Context* context, const HeadSighting& sighting);
+  Transition Centred(Context* context, const HeadSighting& sighting);
+
+  int steps_ = 0;
+  int lost_ = 0;
+  double pointed_s_ = 0.0;
+};
+
+}  // namespace geon::mission

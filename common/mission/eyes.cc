@@ -1,0 +1,74 @@
+#include "mission/eyes.h"
+
+#include <opencv2/core.hpp>
+#include <utility>
+
+#include "base/contracts.h"
+#include "base/time.h"
+
+namespace geon::mission {
+
+namespace {
+
+// The picture's bytes as OpenCV sees them, channels in the order blue, green, red.
+cv::Mat AsBgr(const sensor::Image& image) {
+  Require(sensor::ChannelCount(image.format) == 3, "a picture in colour is needed");
+  const cv::Mat view(image.height_px, image.width_px, CV_8UC3,
+                     const_cast<uint8_t*>(image.data.data()),
+                     static_cast<size_t>(image.row_stride_bytes));
+  if (image.format == sensor::PixelFormat::kBgr8) return view;
+  cv::Mat bgr(view.size(), CV_8UC3);
+  const int swap[] = {0, 2, 1, 1, 2, 0};
+  cv::mixChannels(&view, 1, &bgr, 1, swap, 3);
+  return bgr;
+}
+
+}  // namespace
+
+Eyes::Eyes(const SeeingOptions& options, const geometry::SensorRig& rig)
+    : options_(options), rig_(rig), floor_model_(options.floor_model) {
+  std::string error;
+  Require(options.IsValid(&error), error);
+}
+
+std::optional<HeadSighting> Eyes::LookHead(const PoseHistory& history) {
+  if (!head_image_) return std::nullopt;
+  const int64_t utime = head_image_->utime;
+  if (!history.RobotKnownAfter(utime) ||
+      !history.HeadKnownAfter(utime + MicrosecondsFromSeconds(options_.exposure_s))) {
+    return std::nullopt;
+  }
+  HeadSighting sighting;
+  sighting.image = *std::exchange(head_image_, std::nullopt);
+  const auto head = history.HeadAt(utime, options_.exposure_s, options_.still_rad);
+  const auto X_WR = history.RobotAt(utime);
+  if (!head || !X_WR) return std::nullopt;
+  sighting.head = head->head;
+  sighting.still = head->still;
+  sighting.X_WR = *X_WR;
+  sighting.seen = attention::FindTarget(sighting.image, options_.target_color, options_.head);
+  return sighting;
+}
+
+std::optional<FloorSighting> Eyes::LookFloor(const PoseHistory& history) {
+  if (!floor_image_ || !history.RobotKnownAfter(floor_image_->utime)) return std::nullopt;
+  const sensor::Image image = *std::exchange(floor_image_, std::nullopt);
+  const auto X_WR = history.RobotAt(image.utime);
+  if (!X_WR) return std::nullopt;
+  FloorSighting sighting;
+  sighting.X_WR = *X_WR;
+  const cv::Mat bgr = AsBgr(image);
+  if (options_.learn_floor && !floor_learned_) {
+    const auto learned = navigation::LearnFloor(bgr, rig_.floor_camera, rig_.X_RF,
+                                                options_.floor_model, options_.floor_obstacles);
+    floor_learned_ = learned.has_value();
+    floor_model_ = learned.value_or(options_.floor_model);
+  }
+  sighting.columns =
+      navigation::FloorObstacles(navigation::NotFloorMask(bgr, floor_model_), rig_.floor_camera,
+                                 rig_.X_RF, options_.floor_obstacles);
+  sighting.seen = attention::FindTarget(image, options_.target_color, options_.floor);
+  return sighting;
+}
+
+}  // namespace geon::mission

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "attention/find_target.h"
+#include "geometry/sensor_rig.h"
+#include "mission/mission_options.h"
+#include "mission/pose_history.h"
+#include "navigation/floor_obstacles.h"
+#include "sensor/image.h"
+
+namespace geon::mission {
+
+// One picture of the head's colour camera with what was seen in it and from where.
+struct HeadSighting {
+  sensor::Image image;  // kBgr8 or kRgb8
+  active_vision::HeadAngles head;
+  bool still = false;  // the head did not move through the exposure: angles are exact
+  geometry::RigidTransform X_WR = geometry::RigidTransform::Identity();
+  attention::TargetSighting seen;
+};
+
+// One picture of the floor camera.
+struct FloorSighting {
+  geometry::RigidTransform X_WR = geometry::RigidTransform::Identity();
+  attention::TargetSighting seen;
+  std::vector<navigation::FloorColumn> columns;
+};
+
+// Looks at pictures once their poses are known. A picture waits for the base and PTU states that
+// follow its exposure; a newer picture takes the place of a waiting one.
+class Eyes {
+ public:
+  Eyes(const SeeingOptions& options, const geometry::SensorRig& rig);
+
+  // Pictures must be kBgr8 or kRgb8; others are a broken contract. Floor pictures must have the
+  // size that the rig states.
+  void TakeHead(sensor::Image image) { head_image_ = std::move(image); }
+  void TakeFloor(sensor::Image image) { floor_image_ = std::move(image); }
+
+  // The picture that waited, as soon as its pose is known; every picture is given once.
+  std::optional<HeadSighting> LookHead(const PoseHistory& history);
+  std::optional<FloorSighting> LookFloor(const PoseHistory& history);
+
+  // Whether the floor's colour was learned from the room (else the configured one is in use).
+  bool floor_learned() const { return floor_learned_; }
+
+ private:
+  SeeingOptions options_;
+  geometry::SensorRig rig_;
+  navigation::FloorModel floor_model_;
+  bool floor_learned_ = false;
+  std::optional<sensor::Image> head_image_;
+  std::optional<sensor::Image> floor_image_;
+};
+
+}  // namespace geon::mission

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "active_vision/head_angles.h"
+#include "sensor/ptu.h"
+
+namespace geon::mission {
+
+// The wish where the head shall look. Desired state: the command is repeated until the PTU echoes
+// it, and now and then after that, since a PTU that was replaced or restarted knows nothing of it.
+class Head {
+ public:
+  // Ids of commands count up from `first_id`, so that a restarted planner is not taken for the old
+  // one.
+  explicit Head(int64_t first_id) : id_(first_id) {}
+
+  void Point(const active_vision::HeadAngles& angles);
+  const std::optional<active_vision::HeadAngles>& wanted() const { return wanted_; }
+
+  // Whether the PTU stands still where it was told to, since `settle_s` at least.
+  bool Settled(double now_s, const sensor::PtuState& state, double settle_s);
+
+  // What to send now, if anything.
+  std::optional<sensor::PtuCommand> Command(double now_s, const sensor::PtuState& state);
+
+ private:
+  bool Arrived(const sensor::PtuState& state) const;
+
+  int64_t id_;
+  std::optional<active_vision::HeadAngles> wanted_;
+  std::optional<double> still_since_s_;
+  double sent_s_ = -1e9;
+};
+
+}  // namespace geon::mission

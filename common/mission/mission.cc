@@ -1,0 +1,215 @@
+#include "mission/mission.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/contracts.h"
+
+namespace geon::mission {
+
+namespace {
+
+MissionOptions Checked(const MissionOptions& options) {
+  std::string error;
+  Require(options.IsValid(&error), error);
+  return options;
+}
+
+bool Drives(Phase phase) {
+  return phase == Phase::kSearch || phase == Phase::kApproach || phase == Phase::kBackOff;
+}
+
+std::vector<Eigen::Vector2d> InWorld(const geometry::RigidTransform& X_WR,
+                                     std::span<const Eigen::Vector2d> points_R_m) {
+  std::vector<Eigen::Vector2d> points_W_m;
+  for (const Eigen::Vector2d& p_m : points_R_m) {
+    points_W_m.emplace_back((X_WR * Eigen::Vector3d(p_m.x(), p_m.y(), 0.0)).head<2>());
+  }
+  return points_W_m;
+}
+
+std::string Sentence(const sensor::GeonVerdict& verdict) {
+  const std::string label(ToString(verdict.label));
+  return verdict.decided ? "the geon is a " + label
+                         : "the evidence does not decide; nearest is a " + label;
+}
+
+}  // namespace
+
+Mission::Mission(const MissionOptions& options, const geometry::SensorRig& rig, int64_t run_id,
+                 double now_s)
+    : options_(Checked(options)),
+      rig_(rig),
+      context_{options_,
+               rig_,
+               Senses(options, rig),
+               Head(run_id),
+               Drive(options, options.seed),
+               TargetTrack(options.looking, rig),
+               {},
+               run_id,
+               0.0,
+               std::nullopt,
+               {},
+               {},
+               {},
+               "waiting for the devices",
+               0,
+               0},
+      started_s_(now_s),
+      last_s_(now_s) {
+  Require(run_id > 0, "Mission: run_id must be positive");
+}
+
+Wishes Mission::Step(double now_s) {
+  Require(now_s >= last_s_, "Mission::Step: time must not run backwards");
+  const double step_s = now_s - last_s_;
+  last_s_ = now_s;
+  context_.wishes = {};
+  if (phase_ != Phase::kDone) {
+    context_.senses.Look(now_s);
+    Transition next;
+    if (now_s - started_s_ > options_.patience.mission_s) {
+      next = Next{Phase::kDone, "the mission's time is over, in phase " +
+                                    std::string(ToString(phase_)) + ": " + context_.text};
+    } else if (const char* device = MissingDevice(now_s)) {
+      next = Pause(now_s, device);
+    } else {
+      missing_since_s_.reset();
+      context_.time_s += step_s;
+      next = CheckContact();
+      if (!next) next = StepPhase();
+    }
+    if (next) Enter(*next);
+  }
+  context_.profiles.clear();
+  context_.verdicts.clear();
+  context_.wishes.head = context_.head.Command(now_s, context_.senses.ptu());
+  Bound(&context_.wishes.velocity);
+  return context_.wishes;
+}
+
+const char* Mission::MissingDevice(double now_s) const {
+  const Senses& senses = context_.senses;
+  if (senses.PtuLost(now_s)) return "the pan-tilt unit (PTU_STATE)";
+  if (senses.BaseLost(now_s)) return "the base (BASE_STATE)";
+  if (phase_ == Phase::kScan) {
+    return senses.StripeCameraLost(now_s) ? "the stripe camera (LASER_STATE)" : nullptr;
+  }
+  if (senses.HeadCameraLost(now_s)) return "the head camera (COLOR_IMAGE)";
+  if (senses.FloorCameraLost(now_s)) return "the floor camera (FLOOR_IMAGE)";
+  return nullptr;
+}
+
+Transition Mission::Pause(double now_s, const char* device) {
+  if (!missing_since_s_) {
+    missing_since_s_ = now_s;
+    context_.drive.Rest();
+  }
+  context_.text = std::string("waiting for ") + device;
+  if (now_s - *missing_since_s_ <= options_.patience.device_s) return std::nullopt;
+  return Next{Phase::kDone, std::string(device) + " does not answer"};
+}
+
+Transition Mission::CheckContact() {
+  const auto bearing_rad = context_.senses.Contact();
+  if (!bearing_rad || phase_ == Phase::kBackOff || phase_ == Phase::kWait) return std::nullopt;
+  if (!Drives(phase_)) return std::nullopt;  // the robot stands; whatever touches it came to it
+  if (context_.counters.bumps++ >= options_.patience.bumps) {
+    return Next{Phase::kDone, "the robot bumped into things too often"};
+  }
+  Next away{Phase::kBackOff, "a bumper is pressed"};
+  away.direction = std::cos(*bearing_rad) > 0.0 ? -1.0 : 1.0;
+  return away;
+}
+
+Transition Mission::StepPhase() {
+  switch (phase_) {
+    case Phase::kWait:
+      return Next{Phase::kSearch, "all devices answer"};
+    case Phase::kSearch:
+      return search_.Step(&context_);
+    case Phase::kApproach:
+      return approach_.Step(&context_);
+    case Phase::kCentre:
+      return centre_.Step(&context_);
+    case Phase::kBackOff:
+      return back_off_.Step(&context_);
+    case Phase::kScan:
+      return scan_.Step(&context_);
+    case Phase::kDone:
+      break;
+  }
+  return std::nullopt;
+}
+
+void Mission::Enter(const Next& next) {
+  phase_ = next.phase;
+  context_.text = next.why;
+  context_.wishes.velocity = {};
+  switch (phase_) {
+    case Phase::kWait:
+      break;
+    case Phase::kSearch:
+      search_.Enter(&context_, next.near);
+      break;
+    case Phase::kApproach:
+      approach_.Enter(&context_);
+      break;
+    case Phase::kCentre:
+      centre_.Enter(&context_);
+      break;
+    case Phase::kBackOff:
+      back_off_.Enter(&context_, next.direction);
+      break;
+    case Phase::kScan:
+      scan_.Enter(&context_);
+      break;
+    case Phase::kDone:
+      verdict_ = next.verdict;
+      outcome_ = verdict_ && verdict_->decided ? sensor::MissionOutcome::kNamed
+                                               : sensor::MissionOutcome::kFailed;
+      if (verdict_) context_.text = Sentence(*verdict_);
+      sensor::ScanCommand off;
+      off.scan_id = context_.scan_id;
+      context_.wishes.scan_command = off;
+      break;
+  }
+}
+
+void Mission::Bound(navigation::DriveVelocity* velocity) const {
+  const auto bounded = [](double value, double limit) {
+    return std::isfinite(value) ? std::clamp(value, -limit, limit) : 0.0;
+  };
+  const auto& limits = options_.driving.velocity;
+  if (!Drives(phase_)) *velocity = {};
+  velocity->speed_m_s = bounded(velocity->speed_m_s, limits.max_speed_m_s);
+  velocity->turn_rate_rad_s = bounded(velocity->turn_rate_rad_s, limits.max_turn_rate_rad_s);
+}
+
+sensor::PlannerState Mission::State() const {
+  const Senses& senses = context_.senses;
+  const geometry::RigidTransform X_WR = senses.X_WR();
+  sensor::PlannerState state;
+  state.phase = ToString(phase_);
+  state.text = context_.text;
+  state.outcome = outcome_;
+  state.x_m = senses.base().x_m;
+  state.y_m = senses.base().y_m;
+  state.heading_rad = senses.base().heading_rad;
+  if (const SupportHypothesis* target = context_.target.Best()) {
+    state.p_WTarget_m = target->p_WFoot_m;
+  }
+  if (Drives(phase_)) {
+    state.safe_polygon_W_m = InWorld(X_WR, context_.drive.polygon_R().vertices());
+    state.p_WWaypoint_m = InWorld(X_WR, std::span(&context_.drive.waypoint_R_m(), 1)).front();
+  } else {
+    state.p_WWaypoint_m = X_WR.translation().head<2>();
+  }
+  state.obstacles_W_m = InWorld(X_WR, senses.obstacles_R_m());
+  state.scan_id = context_.scan_id;
+  state.stripe_index = context_.stripe_index;
+  return state;
+}
+
+}  // namespace geon::mission

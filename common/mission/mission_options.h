@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "active_vision/center_target.h"
+#include "active_vision/place_stripes.h"
+#include "active_vision/search_pattern.h"
+#include "attention/color_model.h"
+#include "attention/find_target.h"
+#include "navigation/floor_obstacles.h"
+#include "navigation/obstacle_memory.h"
+#include "navigation/ring_obstacles.h"
+#include "navigation/safe_polygon.h"
+#include "navigation/velocity_law.h"
+
+namespace geon::mission {
+
+// What the robot's cameras need to know to see with.
+struct SeeingOptions {
+  attention::ColorModel target_color;
+  attention::AttentionOptions head;
+  attention::AttentionOptions floor;
+  navigation::FloorModel
+      floor_model;  // known a priori (thesis 4.3 (i)), refined from the first picture
+  bool learn_floor = true;
+  navigation::FloorObstacleOptions floor_obstacles;
+  double exposure_s = 0.06;  // longest exposure: the head must stand still so long after utime
+  double still_rad = 0.001;  // angles this near are the same angle
+
+  bool IsValid(std::string* error) const;
+};
+
+// How the robot moves.
+struct DrivingOptions {
+  navigation::SafePolygonOptions safe_polygon;
+  navigation::VelocityLawOptions velocity;
+  navigation::RingOptions rings;
+  navigation::ObstacleMemoryOptions memory;
+  double wander_s = 7.0;  // one leg of wandering
+  double wander_min_move_m = 0.6;
+  double back_off_m = 0.20;  // "move backwards a little" (thesis 4.2.2)
+  double back_off_speed_m_s = 0.10;
+  double progress_m = 0.10;  // trapped when the target does not come this much nearer ...
+  double progress_s = 6.0;   // ... within this time
+
+  bool IsValid(std::string* error) const;
+};
+
+// Where targets can stand and how they are looked at.
+struct LookingOptions {
+  std::vector<double> support_heights_m = {0.0, 0.7};  // floor, "desk of known height" (thesis 6.3)
+  double stop_distance_m = 0.93;  // from the robot's axis to the target's foot: "approx. 90 cm"
+  double stop_tolerance_m = 0.04;
+  double min_range_m = 0.7;  // of the range finder, from the B/W camera (thesis 3.2)
+  double max_range_m = 2.0;
+  double max_target_distance_m = 7.0;                                 // a foot farther away is none
+  active_vision::SearchOptions sweep{-1.05, 1.05, -0.26, 0.14, 0.2};  // while looking about
+  active_vision::SearchOptions near{-0.55, 0.55, -0.80, 0.05, 0.2};   // for a target that was lost
+  double sector_rad = 2.1;  // the robot turns by this much between sweeps
+  active_vision::CenteringOptions centering;
+  int centering_steps = 8;  // "several iterations" (thesis 4.2.2)
+  int lost_looks = 3;       // pictures without the target before it counts as lost
+  active_vision::StripePlacementOptions placement;
+  double settle_s = 0.12;  // after the head stopped
+
+  bool IsValid(std::string* error) const;
+};
+
+// How long to insist.
+struct PatienceOptions {
+  double mission_s = 300.0;  // the whole mission; after that it has failed
+  double device_s = 30.0;    // a device that does not answer for so long ends the mission
+  double stale_s = 1.0;      // a state older than this says nothing
+  double image_s = 3.0;      // a picture with the head standing still
+  double stripe_s = 5.0;     // one stripe, from command to profile
+  double verdict_s = 10.0;   // after the last profile
+  int stripe_attempts = 3;   // per stripe, before the head moves on
+  int min_stripes = 4;       // fewer profiles than this do not make a scan
+  int scans = 4;             // scans before giving up
+  int back_offs = 4;         // steps back for a target too large or out of the head's reach
+  int traps = 6;             // times the robot may get trapped on its way to the target
+  int bumps = 5;             // contacts
+
+  bool IsValid(std::string* error) const;
+};
+
+struct MissionOptions {
+  SeeingOptions seeing;
+  DrivingOptions driving;
+  LookingOptions looking;
+  PatienceOptions patience;
+  uint32_t seed = 1;  // of the wandering
+
+  // States the first rule that is broken.
+  bool IsValid(std::string* error) const;
+};
+
+}  // namespace geon::mission

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <set>
+
+#include "mission/phase.h"
+
+namespace geon::mission {
+
+// Lays the six stripes (thesis 4.2.4) one after another: head to its angles, still, stripe asked
+// for until its profile answers. A stripe that is missing is asked for again, a little beside,
+// before the head moves on. Then the head goes back and the verdict is awaited. The robot stands
+// still throughout.
+//
+// The first profile tells whether the supposed height of the support is right: if the distances do
+// not agree, the other height is taken and the scan starts anew, as it does when the recognizer
+// lost its memory.
+class ScanPhase {
+ public:
+  void Enter(Context* context);
+  Transition Step(Context* context);
+
+ private:
+  Transition Begin(Context* context);
+  Transition LayStripe(Context* context);
+  void PointAtStripe(Context* context);
+  Transition NextAttempt(Context* context);
+  void NextStripe(Context* context);
+  Transition Answered(Context* context, const sensor::RangeProfile& profile);
+  bool HeightAgrees(Context* context, const sensor::RangeProfile& profile);
+  Transition AwaitVerdict(Context* context);
+  Transition ScanAgain(Context* context, const std::string& why);
+  void SendPlan(Context* context);
+
+  bool begun_ = false;
+  sensor::ScanPlan plan_;
+  double tilt_step_rad_ = 0.0;  // a re-placed stripe's shift
+  double pan_step_rad_ = 0.0;
+  size_t stripe_ = 0;
+  int attempt_ = 0;
+  std::set<size_t> measured_;
+  bool height_verified_ = false;
+  bool height_changed_ = false;
+  int32_t newest_profile_seq_ = 0;
+  double plan_sent_s_ = -1e9;
+  double command_sent_s_ = -1e9;
+  double stripe_since_s_ = 0.0;
+  double all_laid_s_ = 0.0;
+};
+
+}  // namespace geon::mission

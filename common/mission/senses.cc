@@ -1,0 +1,126 @@
+#include "mission/senses.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/angles.h"
+#include "navigation/ring_obstacles.h"
+
+namespace geon::mission {
+
+namespace {
+
+// The robot does 0.5 m/s and states come ten times a second: more is not motion.
+constexpr double kJump_m = 0.5;
+
+}  // namespace
+
+Senses::Senses(const MissionOptions& options, const geometry::SensorRig& rig)
+    : patience_(options.patience),
+      rings_(options.driving.rings),
+      body_radius_m_(options.driving.velocity.body_radius_m),
+      eyes_(options.seeing, rig),
+      memory_(options.driving.memory) {}
+
+void Senses::Take(double now_s, const sensor::BaseState& state) {
+  NoticeOdometryJump(state);
+  base_ = state;
+  base_at_s_ = now_s;
+  history_.Add(state);
+}
+
+void Senses::NoticeOdometryJump(const sensor::BaseState& next) {
+  if (next.status != sensor::DeviceStatus::kReady || base_.status != sensor::DeviceStatus::kReady) {
+    return;
+  }
+  if (std::hypot(next.x_m - base_.x_m, next.y_m - base_.y_m) < kJump_m) return;
+  memory_.Clear();
+  ++odometry_epoch_;
+}
+
+void Senses::Take(double now_s, const sensor::SonarScan& scan) {
+  memory_.Feel(now_s, geometry::PlanarPose(scan.x_m, scan.y_m, scan.heading_rad),
+               navigation::SonarObstacles(scan, rings_));
+}
+
+void Senses::Take(double now_s, const sensor::InfraredScan& infrared) {
+  memory_.Feel(now_s, X_WR(), navigation::InfraredObstacles(infrared, rings_));
+}
+
+void Senses::Take(double now_s, const sensor::BumperState& bumpers) {
+  bumpers_ = bumpers;
+  std::vector<Eigen::Vector2d> contacts_R_m;
+  for (size_t i = 0; i < bumpers.pressed.size(); ++i) {
+    if (!bumpers.pressed[i]) continue;
+    contacts_R_m.emplace_back(body_radius_m_ * std::cos(bumpers.bearing_rad[i]),
+                              body_radius_m_ * std::sin(bumpers.bearing_rad[i]));
+  }
+  memory_.Feel(now_s, X_WR(), contacts_R_m);
+}
+
+void Senses::Take(double now_s, const sensor::PtuState& state) {
+  ptu_ = state;
+  ptu_at_s_ = now_s;
+  history_.Add(state);
+}
+
+void Senses::Take(double now_s, const sensor::LaserState& state) {
+  laser_status_ = state.status;
+  laser_at_s_ = now_s;
+}
+
+void Senses::TakeHeadImage(double now_s, sensor::Image image) {
+  head_at_s_ = now_s;
+  eyes_.TakeHead(std::move(image));
+}
+
+void Senses::TakeFloorImage(double now_s, sensor::Image image) {
+  floor_at_s_ = now_s;
+  eyes_.TakeFloor(std::move(image));
+}
+
+void Senses::Look(double now_s) {
+  head_ = eyes_.LookHead(history_);
+  floor_ = eyes_.LookFloor(history_);
+  if (floor_) memory_.SeeFloor(now_s, floor_->X_WR, floor_->columns);
+  memory_.Forget(now_s);
+  memory_.In(X_WR().inverse(), &obstacles_R_m_);
+}
+
+active_vision::HeadLimits Senses::head_limits() const {
+  return {ptu_.pan_min_rad, ptu_.pan_max_rad, ptu_.tilt_min_rad, ptu_.tilt_max_rad};
+}
+
+bool Senses::BaseLost(double now_s) const {
+  return !Fresh(base_at_s_, now_s) || base_.status != sensor::DeviceStatus::kReady;
+}
+
+bool Senses::PtuLost(double now_s) const {
+  return !Fresh(ptu_at_s_, now_s) || ptu_.status != sensor::DeviceStatus::kReady;
+}
+
+bool Senses::StripeCameraLost(double now_s) const {
+  return !Fresh(laser_at_s_, now_s) || laser_status_ != sensor::DeviceStatus::kReady;
+}
+
+bool Senses::HeadCameraLost(double now_s) const { return now_s - head_at_s_ > patience_.image_s; }
+
+bool Senses::FloorCameraLost(double now_s) const { return now_s - floor_at_s_ > patience_.image_s; }
+
+std::optional<double> Senses::Contact() const {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  bool pressed = false;
+  for (size_t i = 0; i < bumpers_.pressed.size(); ++i) {
+    if (!bumpers_.pressed[i]) continue;
+    pressed = true;
+    sum += Eigen::Vector2d(std::cos(bumpers_.bearing_rad[i]), std::sin(bumpers_.bearing_rad[i]));
+  }
+  if (!pressed) return std::nullopt;
+  return std::atan2(sum.y(), sum.x());
+}
+
+geometry::RigidTransform Senses::X_WR() const {
+  return geometry::PlanarPose(base_.x_m, base_.y_m, base_.heading_rad);
+}
+
+}  // namespace geon::mission
