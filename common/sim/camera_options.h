@@ -24,7 +24,7 @@ struct CameraOptions {
 struct LaserOptions {
   // Signal of the stripe's crest on a white surface at 1 m, in units of full scale. 1.7 puts the
   // crest at 0.8 of full scale on the red paint of the geons.
-  double crest_1 = 1.7;
+  double crest_1 = 2.2;
   double waist_sigma_m = 0.0007;  // half thickness (standard deviation) of the fan at its origin
   double divergence_m =
       1.4;  // distance at which it is thicker by sqrt(2): 2 mm full width half maximum at 1 m

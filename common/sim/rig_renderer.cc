@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/contracts.h"
-#include "sim/exposure.h"
 #include "sim/hash_noise.h"
 #include "sim/laser_light.h"
 #include "sim/mounting.h"
@@ -67,7 +66,10 @@ RigRenderer::RigRenderer(std::shared_ptr<const Scene> scene, const geometry::Sen
     : scene_(std::move(scene)),
       mounted_rig_(AsMounted(designed, options.mounting, seed)),
       options_(options),
-      seed_(seed) {
+      seed_(seed),
+      color_sensor_(options.color),
+      stripe_sensor_(options.stripe),
+      floor_sensor_(options.floor) {
   Require(scene_ != nullptr, "RigRenderer: no scene");
   const Status valid = Validate(options_);
   Require(valid.ok(), "RigRenderer: " + valid.message());
@@ -91,11 +93,14 @@ geometry::RigidTransform RigRenderer::StripeCameraPose(const RigPose& pose) cons
 RigRenderer::Sight& RigRenderer::SightFrom(std::unique_ptr<Sight>* kept,
                                            const geometry::PinholeCamera& camera,
                                            const geometry::RigidTransform& X_WC) {
-  if (*kept == nullptr || (*kept)->view.X_WC.matrix() != X_WC.matrix()) {
-    *kept = std::make_unique<Sight>();
-    (*kept)->view = LookThrough(*scene_, camera, X_WC);
+  if (*kept == nullptr) *kept = std::make_unique<Sight>();
+  Sight& sight = **kept;
+  if (sight.view.sightings.empty() || sight.view.X_WC.matrix() != X_WC.matrix()) {
+    LookThrough(*scene_, camera, X_WC, &sight.view);
+    sight.signal.clear();
+    for (std::vector<float>& laser : sight.laser_signals) laser.clear();
   }
-  return **kept;
+  return sight;
 }
 
 Frame RigRenderer::HeadColor(const RigPose& pose, int64_t seq) {
@@ -103,22 +108,24 @@ Frame RigRenderer::HeadColor(const RigPose& pose, int64_t seq) {
   const auto X_WC = pose.X_WR * mounted_rig_.ColorCameraPose(pose.pan_rad, pose.tilt_rad);
   Sight& sight = SightFrom(&color_, camera, X_WC);
   if (sight.signal.empty()) {
-    sight.signal = Scaled(ToBgr(ShadeColor(*scene_, sight.view)), options_.color.white_1);
+    sight.signal =
+        Scaled(ToBgr(ShadeColor(*scene_, sight.view, LampShadows::kSoft)), options_.color.white_1);
     BlurByLens(camera.width_px, camera.height_px, 3, options_.color.blur_1, &sight.signal);
   }
   return {camera.width_px, camera.height_px, 3,
-          Expose(sight.signal, options_.color, FrameSeed(seed_, CameraNumber::kColor, seq))};
+          color_sensor_.Expose(sight.signal, FrameSeed(seed_, CameraNumber::kColor, seq))};
 }
 
 Frame RigRenderer::FloorColor(const RigPose& pose, int64_t seq) {
   const geometry::PinholeCamera& camera = mounted_rig_.floor_camera;
   Sight& sight = SightFrom(&floor_, camera, pose.X_WR * mounted_rig_.X_RF);
   if (sight.signal.empty()) {
-    sight.signal = Scaled(ToBgr(ShadeColor(*scene_, sight.view)), options_.floor.white_1);
+    sight.signal =
+        Scaled(ToBgr(ShadeColor(*scene_, sight.view, LampShadows::kSoft)), options_.floor.white_1);
     BlurByLens(camera.width_px, camera.height_px, 3, options_.floor.blur_1, &sight.signal);
   }
   return {camera.width_px, camera.height_px, 3,
-          Expose(sight.signal, options_.floor, FrameSeed(seed_, CameraNumber::kFloor, seq))};
+          floor_sensor_.Expose(sight.signal, FrameSeed(seed_, CameraNumber::kFloor, seq))};
 }
 
 Frame RigRenderer::HeadBw(const RigPose& pose, const LaserFractions& lasers, int64_t seq) {
@@ -126,7 +133,8 @@ Frame RigRenderer::HeadBw(const RigPose& pose, const LaserFractions& lasers, int
   const auto X_WT = pose.X_WR * mounted_rig_.HeadPose(pose.pan_rad, pose.tilt_rad);
   Sight& sight = SightFrom(&bw_, camera, X_WT * mounted_rig_.X_TB);
   if (sight.signal.empty()) {
-    const std::vector<float> rgb = ShadeColor(*scene_, sight.view);
+    // Behind the filter a shadow of the lamp would be a grey level or two: not worth its rays.
+    const std::vector<float> rgb = ShadeColor(*scene_, sight.view, LampShadows::kNone);
     sight.signal.resize(rgb.size() / 3);
     for (size_t k = 0; k < sight.signal.size(); ++k) {
       sight.signal[k] = rgb[3 * k] * static_cast<float>(options_.stripe.white_1);  // 670 nm is red
@@ -148,7 +156,7 @@ Frame RigRenderer::HeadBw(const RigPose& pose, const LaserFractions& lasers, int
     for (size_t i = 0; i < signal.size(); ++i) signal[i] += fraction * laser[i];
   }
   return {camera.width_px, camera.height_px, 1,
-          Expose(signal, options_.stripe, FrameSeed(seed_, CameraNumber::kBw, seq))};
+          stripe_sensor_.Expose(signal, FrameSeed(seed_, CameraNumber::kBw, seq))};
 }
 
 std::shared_ptr<const Scene> BoardScene(const geometry::RigidTransform& X_WB, double distance_m) {

@@ -7,6 +7,7 @@
 
 #include "geometry/sensor_rig.h"
 #include "sim/camera_options.h"
+#include "sim/image_sensor.h"
 #include "sim/scene.h"
 
 namespace geon::sim {
@@ -65,6 +66,7 @@ class RigRenderer {
   geometry::SensorRig mounted_rig_;
   RendererOptions options_;
   uint64_t seed_;
+  ImageSensor color_sensor_, stripe_sensor_, floor_sensor_;
   std::unique_ptr<Sight> color_, bw_, floor_;
 };
 

@@ -14,7 +14,6 @@ using Eigen::Vector3f;
 // Shares of the light on a floor right below the lamp.
 constexpr float kLampShare_1 = 0.6F;
 constexpr float kRoomShare_1 = 0.4F;
-constexpr float kGlossExponent_1 = 40.0F;
 // What lies behind the world: the far walls of the room, as bright as the room lights them.
 constexpr float kBackdrop_1 = 0.3F;
 constexpr float kGrooveHalfWidth_m = 0.004F;
@@ -73,6 +72,16 @@ float TilePattern(const Vector3f& p_W, float tile_m, float footprint_m) {
   return shade_1 * (1.0F - kGrooveDarkness_1 * cover_1);
 }
 
+// Blinn's highlight with exponent 32; `twice_halfway` need not be a unit vector.
+float Highlight(const Vector3f& normal, const Vector3f& twice_halfway) {
+  const float along = normal.dot(twice_halfway);
+  const float cosine2 = along * along / twice_halfway.squaredNorm();
+  if (along <= 0.0F || cosine2 < 0.7F) return 0.0F;  // below 1/300 of its crest
+  const float cosine8 = cosine2 * cosine2 * cosine2 * cosine2;
+  const float cosine16 = cosine8 * cosine8;
+  return cosine16 * cosine16;
+}
+
 // 1 where the lamp shines freely. Each pixel asks one quarter of the lamp, then takes the mean of
 // its block, so that shadows have a soft edge.
 std::vector<float> LampVisibility(const Scene& scene, const View& view, const Lights& lights) {
@@ -128,28 +137,30 @@ std::vector<uint8_t> SunVisibility(const Scene& scene, const View& view, const L
 
 }  // namespace
 
-View LookThrough(const Scene& scene, const geometry::PinholeCamera& camera,
-                 const geometry::RigidTransform& X_WC) {
-  View view;
-  view.camera = camera;
-  view.X_WC = X_WC;
-  const size_t count = static_cast<size_t>(camera.width_px) * static_cast<size_t>(camera.height_px);
-  view.sightings.resize(count);
-  std::vector<Vector3f> directions(count);
+void LookThrough(const Scene& scene, const geometry::PinholeCamera& camera,
+                 const geometry::RigidTransform& X_WC, View* view) {
+  view->camera = camera;
+  view->X_WC = X_WC;
+  const auto width = static_cast<size_t>(camera.width_px),
+             height = static_cast<size_t>(camera.height_px);
+  view->sightings.resize(width * height);
   const Eigen::Matrix3f R_WC = X_WC.linear().cast<float>();
-  size_t pixel = 0;
-  for (int v = 0; v < camera.height_px; ++v) {
-    for (int u = 0; u < camera.width_px; ++u, ++pixel) {
-      directions[pixel] = R_WC * camera.Ray(u, v).cast<float>();
+  const Vector3f origin_W_m = X_WC.translation().cast<float>();
+  std::vector<Vector3f> directions(width);
+  for (size_t v = 0; v < height; ++v) {
+    for (size_t u = 0; u < width; ++u) {
+      directions[u] =
+          R_WC * camera.Ray(static_cast<double>(u), static_cast<double>(v)).cast<float>();
     }
+    scene.Look(origin_W_m, directions, std::span(view->sightings).subspan(v * width, width));
   }
-  scene.Look(X_WC.translation().cast<float>(), directions, view.sightings);
-  return view;
 }
 
-std::vector<float> ShadeColor(const Scene& scene, const View& view) {
+std::vector<float> ShadeColor(const Scene& scene, const View& view, LampShadows shadows) {
   const Lights lights = LightsOf(scene.lighting());
-  const std::vector<float> lamp_visible = LampVisibility(scene, view, lights);
+  const std::vector<float> lamp_visible = shadows == LampShadows::kSoft
+                                              ? LampVisibility(scene, view, lights)
+                                              : std::vector<float>(view.sightings.size(), 1.0F);
   const std::vector<uint8_t> sun_visible = SunVisibility(scene, view, lights);
   const Vector3f eye = view.X_WC.translation().cast<float>();
   const float lamp_height2_m2 = lights.lamp_W_m.z() * lights.lamp_W_m.z();
@@ -178,9 +189,8 @@ std::vector<float> ShadeColor(const Scene& scene, const View& view) {
     const float room_1 = 0.75F + 0.25F * s.normal_W.z();
     const float sun_1 =
         sun_visible[k] != 0 ? std::max(0.0F, s.normal_W.dot(lights.to_sun_W)) : 0.0F;
-    const Vector3f halfway = (view_direction + lamp_direction).normalized();
-    const float gloss_1 = material.gloss_1 * lamp_1 *
-                          std::pow(std::max(0.0F, s.normal_W.dot(halfway)), kGlossExponent_1);
+    const float gloss_1 =
+        material.gloss_1 * lamp_1 * Highlight(s.normal_W, view_direction + lamp_direction);
     float pattern_1 = 1.0F;
     if (material.tile_m > 0.0F) {
       const float slant_1 = std::max(0.05F, std::abs(s.normal_W.dot(view_direction)));

@@ -16,12 +16,14 @@ struct View {
   std::vector<Sighting> sightings;
 };
 
-View LookThrough(const Scene& scene, const geometry::PinholeCamera& camera,
-                 const geometry::RigidTransform& X_WC);
+// Fills `view`, whose memory is used again.
+void LookThrough(const Scene& scene, const geometry::PinholeCamera& camera,
+                 const geometry::RigidTransform& X_WC, View* view);
+
+enum class LampShadows { kSoft, kNone };
 
 // Light that comes to each pixel, linear, 3 values (red, green, blue) a pixel, without noise:
-// diffuse and mirrored light of the lamp (soft shadows) and the sun (hard shadows), and what the
-// room reflects.
-std::vector<float> ShadeColor(const Scene& scene, const View& view);
+// diffuse and mirrored light of the lamp and the sun (hard shadows), and what the room reflects.
+std::vector<float> ShadeColor(const Scene& scene, const View& view, LampShadows shadows);
 
 }  // namespace geon::sim

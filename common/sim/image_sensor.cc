@@ -1,4 +1,4 @@
-#include "sim/exposure.h"
+#include "sim/image_sensor.h"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,6 @@
 
 namespace geon::sim {
 namespace {
-
-// Fine enough for the steep foot of the gamma curve.
-constexpr size_t kSteps = 16384;
 
 // One pass of (blur, 1 - 2 blur, blur) over `count` values `stride` apart; the ends repeat.
 void BlurLine(float* values, size_t count, size_t stride, float blur_1) {
@@ -52,19 +49,19 @@ void BlurByLens(int width_px, int height_px, int channels, double blur_1,
   }
 }
 
-std::vector<uint8_t> Expose(std::span<const float> signal, const CameraOptions& options,
-                            uint64_t noise_seed) {
-  std::array<float, kSteps> noise{};
-  std::array<uint8_t, kSteps> value{};
+ImageSensor::ImageSensor(const CameraOptions& options)
+    : black_level_1_(static_cast<float>(options.black_level_1)), noise_1_(kSteps), value_(kSteps) {
   for (size_t k = 0; k < kSteps; ++k) {
-    const double level = static_cast<double>(k) / static_cast<double>(kSteps - 1);
-    const double electrons = level * options.full_well_e;
-    noise[k] = static_cast<float>(
+    const double level_1 = static_cast<double>(k) / static_cast<double>(kSteps - 1);
+    const double electrons = level_1 * options.full_well_e;
+    noise_1_[k] = static_cast<float>(
         std::sqrt(electrons + options.read_noise_e * options.read_noise_e) / options.full_well_e);
-    value[k] = static_cast<uint8_t>(std::lround(255.0 * std::pow(level, 1.0 / options.gamma_1)));
+    value_[k] = static_cast<uint8_t>(std::lround(255.0 * std::pow(level_1, 1.0 / options.gamma_1)));
   }
+}
+
+std::vector<uint8_t> ImageSensor::Expose(std::span<const float> signal, uint64_t noise_seed) const {
   const std::array<float, 65536>& gaussian = GaussianTable::Table();
-  const auto black = static_cast<float>(options.black_level_1);
   constexpr auto kTop = static_cast<float>(kSteps - 1);
   std::vector<uint8_t> pixels(signal.size());
   for (size_t start = 0; start < signal.size(); start += 4) {
@@ -72,9 +69,9 @@ std::vector<uint8_t> Expose(std::span<const float> signal, const CameraOptions& 
     const size_t end = std::min(start + 4, signal.size());
     for (size_t k = start; k < end; ++k, bits >>= 16U) {
       const float clean = std::clamp(signal[k], 0.0F, 1.0F);
-      const float noisy =
-          signal[k] + black + noise[static_cast<size_t>(clean * kTop)] * gaussian[bits & 0xffffU];
-      pixels[k] = value[static_cast<size_t>(std::clamp(noisy, 0.0F, 1.0F) * kTop + 0.5F)];
+      const float noisy = signal[k] + black_level_1_ +
+                          noise_1_[static_cast<size_t>(clean * kTop)] * gaussian[bits & 0xffffU];
+      pixels[k] = value_[static_cast<size_t>(std::clamp(noisy, 0.0F, 1.0F) * kTop + 0.5F)];
     }
   }
   return pixels;
