@@ -22,9 +22,12 @@ uint8_t Checksum(std::span<const uint8_t> bytes) {
 std::vector<uint8_t> EncodeNomadFrame(const NomadFrame& frame) {
   const size_t length = frame.payload.size() + 2;  // type and checksum
   Require(length < 0x10000, "payload too long for a frame");
-  std::vector<uint8_t> bytes = {kStart, static_cast<uint8_t>(length & 0xff),
-                                static_cast<uint8_t>(length >> 8), frame.type};
-  bytes.insert(bytes.end(), frame.payload.begin(), frame.payload.end());
+  std::vector<uint8_t> bytes;
+  bytes.reserve(length + 4);
+  bytes.push_back(kStart);
+  AppendNomadUnsigned(static_cast<int>(length), &bytes);
+  bytes.push_back(frame.type);
+  for (const uint8_t byte : frame.payload) bytes.push_back(byte);
   bytes.push_back(Checksum(bytes));
   bytes.push_back(kEnd);
   return bytes;

@@ -13,8 +13,8 @@ constexpr double kInch_m = 0.0254;
 constexpr int kRowRays = 15;
 constexpr int kSideRays = 3;
 constexpr double kSideElevation_1 = 0.55;  // of the half cone
-// Neighbouring rays that part by more than this see an edge between them.
-constexpr double kEdgeStep_m = 0.10;
+// A surface that falls back by more than this from one ray to the next has an edge between them.
+constexpr double kEdgeStep_m = 0.03;
 
 Eigen::Vector3d Unit(double bearing_rad, double elevation_rad) {
   return {std::cos(elevation_rad) * std::cos(bearing_rad),
@@ -35,6 +35,13 @@ struct SonarRing::Ray {
   bool in_row = false;  // of the dense row, whose neighbours are compared
   std::optional<RayHit> hit;
 };
+
+bool SonarRing::FallsBack(const Ray& ray, const Ray& neighbour) {
+  if (!neighbour.hit) return true;
+  const Eigen::Vector3d apart_m =
+      neighbour.hit->distance_m * neighbour.direction_W - ray.hit->distance_m * ray.direction_W;
+  return ray.hit->normal_W.dot(apart_m) < -kEdgeStep_m;
+}
 
 SonarRing::SonarRing(const SonarRingOptions& options, uint64_t seed,
                      const Surroundings* surroundings)
@@ -119,9 +126,8 @@ std::optional<double> SonarRing::Echo_m(int sensor, const RingPose& pose) const 
     if (ray.in_row) {
       for (const size_t j : {i - 1, i + 1}) {  // i - 1 wraps round at 0 and fails the test
         if (j >= fan.size() || !fan[j].in_row) continue;
-        const bool parts =
-            !fan[j].hit || fan[j].hit->distance_m > ray.hit->distance_m + kEdgeStep_m;
-        if (parts) consider(ray.hit->distance_m, options_.edge_echo_1 * strength_1);
+        if (FallsBack(ray, fan[j]))
+          consider(ray.hit->distance_m, options_.edge_echo_1 * strength_1);
       }
     }
     if (options_.double_bounce && incidence_rad > options_.specular_limit_rad) {

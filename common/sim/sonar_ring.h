@@ -19,7 +19,7 @@ struct DeadSonar {
 
 struct SonarRingOptions {
   double ring_radius_m = 0.225;
-  double height_m = 0.6;
+  double height_m = 0.55;
   double half_cone_rad = RadiansFromDegrees(15.0);
   // A smooth surface sends the sound back only when it is met this squarely.
   double specular_limit_rad = RadiansFromDegrees(22.0);
@@ -46,8 +46,8 @@ struct RingPose {
 // until its turn comes again (hardware card 5).
 //
 // A ping is a fan of rays over the cone. A ray gives an echo where it meets a surface squarely, at
-// an edge (where neighbouring rays part), and after two bounces in a corner; the nearest echo loud
-// enough counts. Readings are whole inches from 17 (the blanking time) to 255 (none).
+// an edge (where the surface ends or bends away), and after two bounces in a corner; the nearest
+// echo loud enough counts. Readings are whole inches from 17 (the blanking time) to 255 (none).
 class SonarRing {
  public:
   static constexpr int kCount = 16;
@@ -73,6 +73,8 @@ class SonarRing {
   struct Ray;
   std::vector<Ray> CastFan(const Eigen::Vector3d& origin_W_m, double bearing_W_rad) const;
   std::optional<double> DoubleBounce_m(const Eigen::Vector3d& origin_W_m, const Ray& ray) const;
+  // Whether the surface that `ray` meets ends, or bends away, before its neighbour.
+  static bool FallsBack(const Ray& ray, const Ray& neighbour);
   bool Audible(double range_m, double strength_1) const;
   uint8_t Ping(int sensor, const RingPose& pose);
 

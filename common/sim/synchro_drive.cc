@@ -8,6 +8,9 @@
 namespace geon::sim {
 namespace {
 
+// A wall met within 30 degrees of its normal holds the robot by friction.
+constexpr double kStickingShare_1 = 0.5;
+
 Eigen::Vector2d Direction(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
 
 }  // namespace
@@ -116,11 +119,7 @@ void SynchroDrive::StepTranslation(double dt_s) {
 
   const Eigen::Vector2d forward_W = Direction(heading_W_rad_);
   const Eigen::Vector2d moved_W_m = Unobstructed(asked_m * forward_W);
-  const double share_1 = moved_W_m.norm() / std::abs(asked_m);
-  if (share_1 < 1.0) {
-    wheels.Obstruct(before_m + share_1 * (wheels.position() - before_m),
-                    share_1 * wheels.velocity());
-  }
+  if (moved_W_m.isZero(0.0)) wheels.Obstruct(before_m, 0.0);
   center_W_m_ += moved_W_m;
   true_speed_m_s_ = moved_W_m.dot(forward_W) / dt_s;
   odometry_m_ += (wheels.position() - before_m) * Direction(position(Servo::kSteering));
@@ -134,6 +133,7 @@ Eigen::Vector2d SynchroDrive::Unobstructed(const Eigen::Vector2d& step_W_m) cons
     const Eigen::Vector2d into_W = Direction(contact.bearing_rad);
     left_W_m -= std::max(0.0, left_W_m.dot(into_W)) * into_W;
   }
+  if (left_W_m.norm() < kStickingShare_1 * step_W_m.norm()) return Eigen::Vector2d::Zero();
   // In a corner, sliding along one wall may lead into the other.
   for (const DiscContact& contact : contacts_) {
     if (contact.clearance_m <= 0.0 && left_W_m.dot(Direction(contact.bearing_rad)) > 1e-12) {

@@ -35,9 +35,8 @@ inline constexpr std::array<Servo, 3> kServos = {Servo::kTranslation, Servo::kSt
 // them. The base itself does not turn. Each servo is driven by velocity or by position within its
 // limits; units are metres and radians of its encoder.
 //
-// A wall stops the disc: the part of the motion that goes into the wall is lost and the wheels
-// stall with it; the part along the wall remains, sideways to the wheels, and the odometry does not
-// know.
+// A wall met squarely stops the disc and its wheels stall. Met at a slant it turns the disc aside:
+// the disc slides along it while the wheels slip, and the odometry does not know.
 class SynchroDrive {
  public:
   // `surroundings` outlives the drive.

@@ -50,28 +50,32 @@ void TrapezoidAxis::Step(double dt_s) {
 
 void TrapezoidAxis::StepToTarget(double dt_s) {
   const double remaining = target_ - position_;
-  const double braking_speed =
-      std::sqrt(start_speed_ * start_speed_ + 2.0 * acceleration_ * std::abs(remaining));
-  StepToVelocity(std::copysign(std::min(speed_, braking_speed), remaining), dt_s);
+  const double change = acceleration_ * dt_s;
+  // The speed that can still be braked to the start speed in what remains after this step.
+  const double braking_speed = std::sqrt(change * change + start_speed_ * start_speed_ +
+                                         2.0 * acceleration_ * std::abs(remaining)) -
+                               change;
+  const double wanted = std::min(speed_, std::max(braking_speed, start_speed_));
+  StepToVelocity(remaining == 0.0 ? 0.0 : std::copysign(wanted, remaining), dt_s);
+
+  const double step = velocity_ * dt_s;
   const bool reaches =
-      velocity_ * remaining >= 0.0 && std::abs(remaining) <= std::abs(velocity_) * dt_s;
-  const bool slow = std::abs(velocity_) <= start_speed_ + 4.0 * acceleration_ * dt_s;
-  if (remaining == 0.0 ? slow : (reaches && slow)) {
+      step * remaining >= 0.0 && std::abs(remaining) <= std::abs(step) + change * dt_s;
+  if (reaches && std::abs(velocity_) <= start_speed_ + 2.0 * change) {
     position_ = target_;
     velocity_ = 0.0;
   } else {
-    position_ += velocity_ * dt_s;
+    position_ += step;
   }
 }
 
 void TrapezoidAxis::StepToVelocity(double wanted, double dt_s) {
-  // A stepper jumps to its start-up speed and may stop dead from it.
+  // A stepper jumps to its start-up speed, and stops or reverses from it at once.
   const double jump = std::min(start_speed_, std::abs(wanted));
-  if (wanted != 0.0 && velocity_ * wanted >= 0.0 && std::abs(velocity_) < jump) {
+  const bool against = velocity_ * wanted <= 0.0;
+  if (against ? std::abs(velocity_) <= start_speed_ : std::abs(velocity_) < jump) {
     velocity_ = std::copysign(jump, wanted);
   }
-  if (velocity_ * wanted <= 0.0 && std::abs(velocity_) <= start_speed_)
-    velocity_ = std::copysign(jump, wanted);
   const double change = acceleration_ * dt_s;
   velocity_ += std::clamp(wanted - velocity_, -change, change);
 }
