@@ -1,0 +1,304 @@
+#include "tests/common/mission/fake_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+#include "base/angles.h"
+#include "base/time.h"
+
+namespace geon::mission {
+
+namespace {
+
+constexpr double kStep_s = 0.05;
+constexpr double kHeadSpeed_rad_s = 1.5;
+constexpr double kAnswer_s = 0.3;
+const cv::Scalar kFloor(140, 150, 150);
+const cv::Scalar kAbove(200, 190, 180);  // what is above the horizon: not floor, not target
+
+double Toward(double value, double target, double step) {
+  return value + std::clamp(target - value, -step, step);
+}
+
+sensor::Image AsImage(const cv::Mat& bgr, int64_t utime, int32_t seq) {
+  sensor::Image image;
+  image.utime = utime;
+  image.seq = seq;
+  image.width_px = bgr.cols;
+  image.height_px = bgr.rows;
+  image.row_stride_bytes = 3 * bgr.cols;
+  image.format = sensor::PixelFormat::kBgr8;
+  image.data.assign(bgr.datastart, bgr.dataend);
+  return image;
+}
+
+}  // namespace
+
+geometry::SensorRig SmallRig() {
+  using geometry::CameraAxesInBody;
+  using geometry::MakeTransform;
+  using geometry::RotationAboutY;
+  geometry::SensorRig rig;
+  rig.color_camera = {160, 120, 400.0, 400.0, 79.5, 59.5};
+  rig.stripe_camera = rig.color_camera;
+  rig.floor_camera = {160, 120, 80.0, 80.0, 79.5, 59.5};
+  rig.X_RP = MakeTransform(RotationAboutY(RadiansFromDegrees(15)), Eigen::Vector3d(0, 0, 1.2));
+  rig.X_TC = MakeTransform(CameraAxesInBody(), Eigen::Vector3d(0.05, 0, 0.11));
+  rig.X_TB = MakeTransform(CameraAxesInBody(), Eigen::Vector3d(0.05, 0, 0.045));
+  rig.X_RF = MakeTransform(RotationAboutY(RadiansFromDegrees(40)) * CameraAxesInBody(),
+                           Eigen::Vector3d(0.15, 0, 0.85));
+  const double tilt_rad = std::atan2(0.125, 0.987);
+  rig.horizontal_laser = {Eigen::Vector3d(0.05, 0, 0.17),
+                          Eigen::Vector3d(std::sin(tilt_rad), 0, std::cos(tilt_rad))};
+  rig.vertical_laser = {Eigen::Vector3d(0.05, 0.125, 0.045),
+                        Eigen::Vector3d(std::sin(tilt_rad), std::cos(tilt_rad), 0)};
+  return rig;
+}
+
+MissionOptions FastOptions() {
+  MissionOptions options;
+  options.seeing.target_color = *attention::NamedColorModel("super-red");
+  options.seeing.floor_model = navigation::FloorModel::OfColor({150, 150, 140});
+  options.seeing.head.min_target_pixels = 20;
+  options.seeing.floor.min_target_pixels = 8;
+  options.seeing.floor_obstacles.column_step_px = 2;
+  options.patience.mission_s = 240.0;
+  options.patience.device_s = 15.0;
+  return options;
+}
+
+FakeWorld::FakeWorld(const MissionOptions& options) : options_(options), rig_(SmallRig()) {
+  Block target;
+  target.center_W_m = {2.2, 0.3};
+  blocks.push_back(target);
+  mission_ = std::make_unique<Mission>(options_, rig_, 1'000'000, now_s_);
+}
+
+int64_t FakeWorld::RobotUtime() const {
+  return 1'500'000'000'000'000 + MicrosecondsFromSeconds(now_s_);
+}
+
+void FakeWorld::Step() {
+  now_s_ += kStep_s;
+  ++step_;
+  Move();
+  TellStates();
+  if (step_ % 4 == 0) TellPictures();
+  for (auto due = pending_.begin(); due != pending_.end();) {
+    if (due->first > now_s_) {
+      ++due;
+      continue;
+    }
+    if (recognizer_up) {
+      due->second.seq = ++recognizer_seq;
+      mission_->Take(due->second);
+      if (due->second.status == sensor::ProfileStatus::kOk) ++answered_[due->second.scan_id];
+      const auto last = static_cast<int32_t>(plans.back().stripes.size()) - 1;
+      if (due->second.stripe_index == last && answered_[due->second.scan_id] >= 4) {
+        sensor::GeonVerdict verdict;
+        verdict.scan_id = due->second.scan_id;
+        verdict.label = GeonLabel::kTaperedCuboid;
+        verdict.decided = decided;
+        mission_->Take(verdict);
+      }
+    }
+    due = pending_.erase(due);
+  }
+  wishes_ = mission_->Step(now_s_);
+  if (phases.empty() || phases.back() != mission_->phase()) phases.push_back(mission_->phase());
+  Obey(wishes_);
+}
+
+bool FakeWorld::RunUntil(const std::function<bool()>& done, double limit_s) {
+  const double end_s = now_s_ + limit_s;
+  while (now_s_ < end_s) {
+    Step();
+    if (done()) return true;
+  }
+  return false;
+}
+
+bool FakeWorld::RunUntil(Phase phase, double limit_s) {
+  return RunUntil([&] { return mission_->phase() == phase; }, limit_s);
+}
+
+bool FakeWorld::RunToTheEnd(double limit_s) { return RunUntil(Phase::kDone, limit_s); }
+
+bool FakeWorld::Touches() const {
+  const double radius_m = options_.driving.velocity.body_radius_m;
+  return std::any_of(blocks.begin(), blocks.end(), [&](const Block& block) {
+    if (block.bottom_m > 0.0) return false;
+    const Eigen::Vector2d outside_m =
+        ((pose.head<2>() - block.center_W_m).cwiseAbs() - block.half_m).cwiseMax(0.0);
+    return outside_m.norm() < radius_m;
+  });
+}
+
+void FakeWorld::Move() {
+  if (base_up) {
+    const auto& velocity = wishes_.velocity;
+    pose.z() = WrapAngle(pose.z() + velocity.turn_rate_rad_s * kStep_s);
+    pose.x() += velocity.speed_m_s * kStep_s * std::cos(pose.z());
+    pose.y() += velocity.speed_m_s * kStep_s * std::sin(pose.z());
+    const bool moves = velocity.speed_m_s != 0.0 || velocity.turn_rate_rad_s != 0.0;
+    drove_while_scanning = drove_while_scanning || (moves && mission_->phase() == Phase::kScan);
+  }
+  if (!ptu_up) return;
+  const active_vision::HeadAngles before = head;
+  head.pan_rad = Toward(head.pan_rad, head_target_.pan_rad, kHeadSpeed_rad_s * kStep_s);
+  head.tilt_rad = Toward(head.tilt_rad, head_target_.tilt_rad, kHeadSpeed_rad_s * kStep_s);
+  head_moving_ = !(head == before);
+}
+
+void FakeWorld::TellStates() {
+  Senses* senses = mission_->senses();
+  if (ptu_up) {
+    sensor::PtuState ptu;
+    ptu.utime = RobotUtime();
+    ptu.status = sensor::DeviceStatus::kReady;
+    ptu.pan_rad = head.pan_rad;
+    ptu.tilt_rad = head.tilt_rad;
+    const active_vision::HeadLimits limits;
+    ptu.pan_min_rad = limits.pan_min_rad;
+    ptu.pan_max_rad = limits.pan_max_rad;
+    ptu.tilt_min_rad = limits.tilt_min_rad;
+    ptu.tilt_max_rad = limits.tilt_max_rad;
+    ptu.moving = head_moving_;
+    ptu.command_id = head_command_id_;
+    senses->Take(now_s_, ptu);
+  } else {
+    head_command_id_ = 0;  // a PTU that comes back knows of no command
+  }
+  if (base_up) {
+    sensor::BaseState base;
+    base.utime = RobotUtime();
+    base.seq = ++base_seq_;
+    base.status = sensor::DeviceStatus::kReady;
+    base.x_m = pose.x();
+    base.y_m = pose.y();
+    base.heading_rad = pose.z();
+    base.moving = wishes_.velocity.speed_m_s != 0.0 || wishes_.velocity.turn_rate_rad_s != 0.0;
+    senses->Take(now_s_, base);
+    sensor::BumperState bumpers;
+    bumpers.pressed[0] = bumper_pressed;
+    bumpers.bearing_rad[0] = bumper_bearing_rad;
+    senses->Take(now_s_, bumpers);
+    sensor::SonarScan sonar;
+    sonar.range_m.fill(std::numeric_limits<double>::quiet_NaN());
+    senses->Take(now_s_, sonar);
+  }
+  if (stripe_camera_up) {
+    sensor::LaserState laser;
+    laser.status = sensor::DeviceStatus::kReady;
+    senses->Take(now_s_, laser);
+  }
+}
+
+void FakeWorld::TellPictures() {
+  const auto X_WR = geometry::PlanarPose(pose.x(), pose.y(), pose.z());
+  Senses* senses = mission_->senses();
+  const int32_t seq = step_ / 4;
+  if (head_camera_up) {
+    senses->TakeHeadImage(now_s_,
+                          AsImage(Picture(rig_.color_camera,
+                                          X_WR * rig_.ColorCameraPose(head.pan_rad, head.tilt_rad)),
+                                  RobotUtime(), seq));
+  }
+  if (floor_camera_up) {
+    senses->TakeFloorImage(
+        now_s_, AsImage(Picture(rig_.floor_camera, X_WR * rig_.X_RF), RobotUtime(), seq));
+  }
+}
+
+// Far blocks first. A block that is partly behind the camera is left out.
+cv::Mat FakeWorld::Picture(const geometry::PinholeCamera& camera,
+                           const geometry::RigidTransform& X_WC) const {
+  cv::Mat image(camera.height_px, camera.width_px, CV_8UC3, kFloor);
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) {
+      if ((X_WC.linear() * camera.Ray(u, v)).z() >= 0.0) {
+        image.at<cv::Vec3b>(v, u) = cv::Vec3b(200, 190, 180);
+      }
+    }
+  }
+  std::vector<Block> order(blocks.begin() + (target_hidden ? 1 : 0), blocks.end());
+  const auto distance = [&](const Block& block) {
+    return (Eigen::Vector3d(block.center_W_m.x(), block.center_W_m.y(), block.top_m) -
+            X_WC.translation())
+        .norm();
+  };
+  std::sort(order.begin(), order.end(),
+            [&](const Block& a, const Block& b) { return distance(a) > distance(b); });
+  for (const Block& block : order) {
+    std::vector<cv::Point> corners;
+    for (int i = 0; i < 8; ++i) {
+      const Eigen::Vector3d p_W(block.center_W_m.x() + ((i & 1) != 0 ? 1 : -1) * block.half_m.x(),
+                                block.center_W_m.y() + ((i & 2) != 0 ? 1 : -1) * block.half_m.y(),
+                                (i & 4) != 0 ? block.top_m : block.bottom_m);
+      const Eigen::Vector3d p_C = X_WC.inverse() * p_W;
+      if (p_C.z() < 0.05) break;
+      const Eigen::Vector2d pixel = camera.Project(p_C);
+      corners.emplace_back(static_cast<int>(std::lround(pixel.x())),
+                           static_cast<int>(std::lround(pixel.y())));
+    }
+    if (corners.size() < 8) continue;
+    std::vector<cv::Point> hull;
+    cv::convexHull(corners, hull);
+    cv::fillConvexPoly(image, hull, block.color_bgr);
+  }
+  return image;
+}
+
+void FakeWorld::Obey(const Wishes& wishes) {
+  if (wishes.head && ptu_up) {
+    head_target_ = {wishes.head->pan_rad, wishes.head->tilt_rad};
+    if (head_command_id_ != wishes.head->command_id) head_moving_ = true;
+    head_command_id_ = wishes.head->command_id;
+  }
+  if (wishes.scan_plan && (plans.empty() || plans.back().scan_id != wishes.scan_plan->scan_id)) {
+    plans.push_back(*wishes.scan_plan);
+  }
+  if (wishes.scan_command && wishes.scan_command->laser != sensor::Laser::kNone &&
+      stripe_camera_up) {
+    AnswerStripe(*wishes.scan_command);
+  }
+}
+
+double FakeWorld::TrueDistance() const {
+  const auto X_WB = geometry::PlanarPose(pose.x(), pose.y(), pose.z()) *
+                    rig_.StripeCameraPose(head.pan_rad, head.tilt_rad);
+  const Eigen::Vector2d away_m = blocks.front().center_W_m - X_WB.translation().head<2>();
+  return away_m.norm() - blocks.front().half_m.x();
+}
+
+void FakeWorld::AnswerStripe(const sensor::ScanCommand& command) {
+  const auto same = [&](const sensor::ScanCommand& other) {
+    return other.scan_id == command.scan_id && other.stripe_index == command.stripe_index &&
+           other.attempt == command.attempt;
+  };
+  if (std::any_of(stripe_calls.begin(), stripe_calls.end(), same)) return;
+  if (!recognizer_up) return;
+  stripe_calls.push_back(command);
+  stripe_heads.push_back(head);
+  sensor::RangeProfile profile;
+  profile.scan_id = command.scan_id;
+  profile.stripe_index = command.stripe_index;
+  profile.attempt = command.attempt;
+  profile.laser = command.laser;
+  int& missing = missing_attempts[command.stripe_index];
+  if (missing > 0) {
+    --missing;
+    profile.status = sensor::ProfileStatus::kMissing;
+  } else {
+    for (int u = 60; u < 100; ++u) {
+      profile.pixel.push_back(u);
+      profile.p_L_m.emplace_back(TrueDistance(), 0.005 * (80 - u), 0.1);
+    }
+    profile.on_target = 40;
+  }
+  pending_.emplace_back(now_s_ + kAnswer_s, profile);
+}
+
+}  // namespace geon::mission

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <map>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "geometry/sensor_rig.h"
+#include "mission/mission.h"
+
+namespace geon::mission {
+
+// The thesis's head with pictures of a quarter of the size, so that missions in virtual time are
+// cheap.
+geometry::SensorRig SmallRig();
+// Options that go with it.
+MissionOptions FastOptions();
+
+// A box of the fake world: an upright block on the floor or on another one.
+struct Block {
+  Eigen::Vector2d center_W_m{0.0, 0.0};
+  Eigen::Vector2d half_m{0.1, 0.1};
+  double bottom_m = 0.0;
+  double top_m = 0.25;
+  cv::Scalar color_bgr{40, 40, 150};
+};
+
+// A robot, its daemons and a recognizer, as far as a mission can tell: flat pictures of blocks,
+// motion without inertia, stripes that answer with the true distance. Everything happens in virtual
+// time; the robot's clock differs from the planner's by decades. Faults are switched by the tests.
+class FakeWorld {
+ public:
+  explicit FakeWorld(const MissionOptions& options);
+
+  // One twentieth of a second.
+  void Step();
+  // Until `done` or the virtual time is over; says whether `done` came true.
+  bool RunUntil(const std::function<bool()>& done, double limit_s);
+  bool RunUntil(Phase phase, double limit_s);
+  bool RunToTheEnd(double limit_s = 400.0);
+
+  Mission& mission() { return *mission_; }
+  const Wishes& wishes() const { return wishes_; }
+  double now_s() const { return now_s_; }
+  std::string Text() const { return mission_->State().text; }
+  // Whether the robot's disc overlaps a block that stands on the floor.
+  bool Touches() const;
+
+  std::vector<Block> blocks;  // the first one is the target, unless `target_hidden`
+  bool target_hidden = false;
+  Eigen::Vector3d pose{0.0, 0.0, 0.0};  // x, y, heading in W
+  active_vision::HeadAngles head;       // true angles
+
+  // Faults.
+  bool ptu_up = true, base_up = true, stripe_camera_up = true, recognizer_up = true;
+  bool head_camera_up = true, floor_camera_up = true;
+  bool bumper_pressed = false;
+  double bumper_bearing_rad = 0.0;
+  std::map<int, int> missing_attempts;  // stripe -> how often it is missing
+  bool decided = true;
+  int32_t recognizer_seq = 0;  // set back to 0: it was restarted
+
+  // What the mission asked for.
+  std::vector<sensor::ScanPlan> plans;                  // one per scan id
+  std::vector<sensor::ScanCommand> stripe_calls;        // one per (scan, stripe, attempt)
+  std::vector<active_vision::HeadAngles> stripe_heads;  // head angles of these
+  std::vector<Phase> phases;                            // as entered
+  bool drove_while_scanning = false;
+
+ private:
+  int64_t RobotUtime() const;
+  void Move();
+  void TellStates();
+  void TellPictures();
+  void Obey(const Wishes& wishes);
+  void AnswerStripe(const sensor::ScanCommand& command);
+  cv::Mat Picture(const geometry::PinholeCamera& camera,
+                  const geometry::RigidTransform& X_WC) const;
+  double TrueDistance() const;
+
+  MissionOptions options_;
+  geometry::SensorRig rig_;
+  std::unique_ptr<Mission> mission_;
+  Wishes wishes_;
+  double now_s_ = 100.0;
+  int step_ = 0;
+  int32_t base_seq_ = 0;
+  int64_t head_command_id_ = 0;
+  active_vision::HeadAngles head_target_;
+  bool head_moving_ = false;
+  std::vector<std::pair<double, sensor::RangeProfile>> pending_;  // due time
+  std::map<int64_t, int> answered_;                               // scan id -> stripes measured
+};
+
+}  // namespace geon::mission

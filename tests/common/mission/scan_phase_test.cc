@@ -1,0 +1,98 @@
+#include "mission/scan_phase.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/common/mission/fake_world.h"
+
+namespace geon::mission {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(ScanPhaseTest, LaysThreeHorizontalAndThreeVerticalStripesInOrder) {
+  FakeWorld world(FastOptions());
+  ASSERT_TRUE(world.RunToTheEnd());
+  ASSERT_EQ(world.stripe_calls.size(), 6u);
+  for (int k = 0; k < 6; ++k) {
+    const auto& call = world.stripe_calls[static_cast<size_t>(k)];
+    EXPECT_EQ(call.stripe_index, k);
+    EXPECT_EQ(call.laser, k < 3 ? sensor::Laser::kHorizontal : sensor::Laser::kVertical);
+    // The head stood where the plan says.
+    const auto& planned = world.plans[0].stripes[static_cast<size_t>(k)];
+    EXPECT_NEAR(world.stripe_heads[static_cast<size_t>(k)].pan_rad, planned.pan_rad, 0.003);
+    EXPECT_NEAR(world.stripe_heads[static_cast<size_t>(k)].tilt_rad, planned.tilt_rad, 0.003);
+  }
+}
+
+TEST(ScanPhaseTest, AMissingStripeIsAskedForAgainBesideBeforeTheHeadMovesOn) {
+  FakeWorld world(FastOptions());
+  world.missing_attempts[1] = 1;
+  ASSERT_TRUE(world.RunToTheEnd());
+  EXPECT_EQ(world.mission().outcome(), sensor::MissionOutcome::kNamed) << world.Text();
+  ASSERT_EQ(world.stripe_calls.size(), 7u);
+  EXPECT_EQ(world.stripe_calls[1].stripe_index, 1);
+  EXPECT_EQ(world.stripe_calls[2].stripe_index, 1);
+  EXPECT_EQ(world.stripe_calls[2].attempt, 1);
+  EXPECT_NE(world.stripe_heads[1].tilt_rad, world.stripe_heads[2].tilt_rad);
+  EXPECT_EQ(world.stripe_calls[3].stripe_index, 2);
+}
+
+TEST(ScanPhaseTest, OneStripeThatNeverComesIsDoneWithout) {
+  FakeWorld world(FastOptions());
+  world.missing_attempts[3] = 3;
+  ASSERT_TRUE(world.RunToTheEnd());
+  EXPECT_EQ(world.mission().outcome(), sensor::MissionOutcome::kNamed) << world.Text();
+  EXPECT_EQ(world.plans.size(), 1u);
+}
+
+TEST(ScanPhaseTest, TooFewStripesMeanAnotherScanAndAtLastAReason) {
+  FakeWorld world(FastOptions());
+  for (int k = 0; k < 6; ++k) world.missing_attempts[k] = 1000;
+  ASSERT_TRUE(world.RunToTheEnd());
+  EXPECT_EQ(world.mission().outcome(), sensor::MissionOutcome::kFailed);
+  EXPECT_THAT(world.Text(), HasSubstr("0 stripes were measured"));
+  EXPECT_GE(world.plans.size(), 4u);
+}
+
+TEST(ScanPhaseTest, TheFirstStripeCorrectsAWrongHeight) {
+  MissionOptions options = FastOptions();
+  FakeWorld world(options);
+  // On a glass table: nothing but the distance tells.
+  world.blocks[0].center_W_m = {1.02, 0.0};
+  world.blocks[0].bottom_m = 0.7;
+  world.blocks[0].top_m = 0.9;
+  ASSERT_TRUE(world.RunToTheEnd());
+  EXPECT_EQ(world.mission().outcome(), sensor::MissionOutcome::kNamed) << world.Text();
+  EXPECT_EQ(world.plans.back().support_height_m, 0.7);
+}
+
+TEST(ScanPhaseTest, ARecognizerThatForgotGetsANewScan) {
+  FakeWorld world(FastOptions());
+  ASSERT_TRUE(world.RunUntil([&] { return world.stripe_calls.size() == 4; }, 120.0));
+  world.recognizer_seq = 0;
+  ASSERT_TRUE(world.RunToTheEnd());
+  EXPECT_EQ(world.mission().outcome(), sensor::MissionOutcome::kNamed) << world.Text();
+  ASSERT_EQ(world.plans.size(), 2u);
+  EXPECT_NE(world.plans[0].scan_id, world.plans[1].scan_id);
+}
+
+TEST(ScanPhaseTest, AStripeCameraThatStaysAwayEndsTheMissionWithAReason) {
+  FakeWorld world(FastOptions());
+  ASSERT_TRUE(world.RunUntil(Phase::kScan, 120.0));
+  world.stripe_camera_up = false;
+  ASSERT_TRUE(world.RunToTheEnd(40.0));
+  EXPECT_THAT(world.Text(), HasSubstr("LASER_STATE"));
+}
+
+TEST(ScanPhaseTest, ARecognizerThatIsAwayEndsTheMissionWithAReason) {
+  FakeWorld world(FastOptions());
+  world.recognizer_up = false;
+  ASSERT_TRUE(world.RunToTheEnd());
+  EXPECT_EQ(world.mission().outcome(), sensor::MissionOutcome::kFailed);
+}
+
+}  // namespace
+}  // namespace geon::mission

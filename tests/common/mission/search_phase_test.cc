@@ -1,0 +1,57 @@
+#include "mission/search_phase.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/common/mission/fake_world.h"
+
+namespace geon::mission {
+namespace {
+
+TEST(SearchPhaseTest, SweepsTurnsAndWandersWhenThereIsNothing) {
+  FakeWorld world(FastOptions());
+  world.target_hidden = true;
+  bool swept = false;
+  bool turned = false;
+  bool wandered = false;
+  world.RunUntil(
+      [&] {
+        const auto& velocity = world.wishes().velocity;
+        swept = swept || world.Text().find("sweeping") != std::string::npos;
+        turned = turned || (velocity.turn_rate_rad_s != 0.0 && velocity.speed_m_s == 0.0);
+        wandered = wandered || velocity.speed_m_s > 0.1;
+        return swept && turned && wandered;
+      },
+      120.0);
+  EXPECT_TRUE(swept);
+  EXPECT_TRUE(turned);
+  EXPECT_TRUE(wandered);
+  EXPECT_EQ(world.mission().phase(), Phase::kSearch);
+}
+
+TEST(SearchPhaseTest, TheHeadCameraFindsWhatStandsHigh) {
+  FakeWorld world(FastOptions());
+  world.blocks[0].center_W_m = {2.8, 0.9};
+  world.blocks[0].bottom_m = 0.7;
+  world.blocks[0].top_m = 0.95;
+  world.blocks.push_back({{2.8, 0.9}, {0.25, 0.25}, 0.0, 0.7, cv::Scalar(120, 90, 90)});
+  ASSERT_TRUE(world.RunUntil(
+      [&] {
+        return world.mission().phase() != Phase::kWait && world.mission().phase() != Phase::kSearch;
+      },
+      40.0));
+  EXPECT_TRUE(world.mission().phase() == Phase::kCentre ||
+              world.mission().phase() == Phase::kApproach);
+}
+
+TEST(SearchPhaseTest, TheFloorCameraFindsWhatStandsNear) {
+  FakeWorld world(FastOptions());
+  world.head_camera_up = true;
+  world.blocks[0].center_W_m = {1.4, 0.0};  // below what the head sweeps
+  ASSERT_TRUE(world.RunUntil(Phase::kApproach, 5.0)) << world.Text();
+}
+
+}  // namespace
+}  // namespace geon::mission
