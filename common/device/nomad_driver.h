@@ -16,8 +16,8 @@ struct NomadDriverOptions {
   double reply_timeout_s = 0.15;  // a full state takes 15 ms at 38400 baud
   double quiet_s = 0.05;          // silence that ends a resynchronisation
   int dead_man_s = 1;  // CONF_TM: the robot stops by itself without commands; whole seconds
-  double acceleration_m_s2 = 3.5;  // also of braking: from 0.5 m/s to rest in 0.15 s
-  double turn_acceleration_rad_s2 = 2.6;
+  double acceleration_m_s2 = 0.762;        // 30 in/s^2; a stop (ST) brakes as hard as the robot can
+  double turn_acceleration_rad_s2 = 1.05;  // 60 degrees/s^2
   double speed_limit_m_s = 0.5;
   double turn_rate_limit_rad_s = 1.0471975511965976;  // 60 degrees/s
   int sonar_rate = 15;                                // x 4 ms from one sonar to the next

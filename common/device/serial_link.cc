@@ -1,7 +1,5 @@
 #include "device/serial_link.h"
 
-#include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "base/contracts.h"
@@ -15,9 +13,7 @@ constexpr size_t kMostUnsent = 2048;
 }  // namespace
 
 SerialLink::SerialLink(const SerialLinkOptions& options)
-    : options_(options),
-      retry_s_(options.first_retry_s),
-      next_attempt_s_(-std::numeric_limits<double>::infinity()) {
+    : options_(options), retry_(options.first_retry_s, options.longest_retry_s) {
   Require(!options.path.empty(), "SerialLink: the path must not be empty");
   Require(options.first_retry_s > 0.0 && options.longest_retry_s >= options.first_retry_s,
           "SerialLink: retries must wait, and not shrink");
@@ -25,7 +21,7 @@ SerialLink::SerialLink(const SerialLinkOptions& options)
 
 SerialLink::Traffic SerialLink::Service(double time_s) {
   Traffic traffic;
-  if (!port_ && !lost_ && time_s >= next_attempt_s_) {
+  if (!port_ && !lost_ && retry_.Due(time_s)) {
     Result<SerialPort> opened = SerialPort::Open(options_.path, options_.baud);
     if (opened.ok()) {
       port_ = std::move(opened).value();
@@ -36,8 +32,7 @@ SerialLink::Traffic SerialLink::Service(double time_s) {
       traffic.opened = true;
     } else {
       trouble_ = opened.message();
-      next_attempt_s_ = time_s + retry_s_;
-      retry_s_ = std::min(2.0 * retry_s_, options_.longest_retry_s);
+      retry_.Failed(time_s);
     }
   }
   if (port_ && !unsent_.empty()) Send({});
@@ -46,7 +41,7 @@ SerialLink::Traffic SerialLink::Service(double time_s) {
     if (received.ok()) {
       traffic.bytes = std::move(received).value();
       // Only bytes prove a device: a path that opens and hangs up at once keeps its back-off.
-      if (!traffic.bytes.empty()) retry_s_ = options_.first_retry_s;
+      if (!traffic.bytes.empty()) retry_.Succeeded();
     } else {
       Lose(received.status());
     }
@@ -54,8 +49,7 @@ SerialLink::Traffic SerialLink::Service(double time_s) {
   if (lost_) {
     lost_ = false;
     traffic.lost = true;
-    next_attempt_s_ = time_s + retry_s_;
-    retry_s_ = std::min(2.0 * retry_s_, options_.longest_retry_s);
+    retry_.Failed(time_s);
   }
   return traffic;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "device/back_off.h"
 #include "device/serial_port.h"
 
 namespace geon::device {
@@ -45,8 +46,7 @@ class SerialLink {
   std::optional<SerialPort> port_;
   std::string unsent_;
   std::string trouble_;
-  double retry_s_;
-  double next_attempt_s_;
+  BackOff retry_;
   bool lost_ = false;
   bool ever_open_ = false;
   int reconnects_ = 0;

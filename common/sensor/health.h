@@ -3,9 +3,25 @@
 #include <cstdint>
 #include <string>
 
+#include "sensor/device_status.h"
+
 namespace geon::sensor {
 
 enum class HealthLevel { kStarting = 0, kOk = 1, kWarn = 2, kFault = 3 };
+
+// The level of a process whose work is this device.
+constexpr HealthLevel LevelOf(DeviceStatus device) {
+  switch (device) {
+    case DeviceStatus::kReady:
+      return HealthLevel::kOk;
+    case DeviceStatus::kStarting:
+      return HealthLevel::kStarting;
+    case DeviceStatus::kUnknown:
+    case DeviceStatus::kFault:
+      return HealthLevel::kFault;
+  }
+  return HealthLevel::kFault;
+}
 
 // How one process is, once a second: a level, not an edge, so that who joins late sees it.
 struct Health {

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "virtual_line.h"
+#include "tests/common/device/virtual_line.h"
 
 namespace geon::device {
 namespace {

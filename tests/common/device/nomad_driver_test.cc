@@ -10,8 +10,8 @@
 
 #include "base/angles.h"
 #include "base/contracts.h"
-#include "scripted_nomad.h"
-#include "virtual_line.h"
+#include "tests/common/device/scripted_nomad.h"
+#include "tests/common/device/virtual_line.h"
 
 namespace geon::device {
 namespace {
@@ -46,7 +46,7 @@ TEST_F(NomadDriverTest, SetsUpDeadManSonarAndLimitsAfterAStop) {
   EXPECT_EQ(setup, (std::vector<int>{9, 6, 18, 15, 1, 2, 7}));
   EXPECT_EQ(robot_.timeout_s, 1);
   EXPECT_EQ(robot_.sonar_rate, 15);
-  EXPECT_EQ(robot_.acceleration, 1378);  // 3.5 m/s^2 in 0.1 in/s^2
+  EXPECT_EQ(robot_.acceleration, 300);
 }
 
 TEST_F(NomadDriverTest, ReportsTheRobotInMetresAndRadians) {

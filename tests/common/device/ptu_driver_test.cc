@@ -7,8 +7,8 @@
 #include <string>
 
 #include "base/angles.h"
-#include "scripted_ptu.h"
-#include "virtual_line.h"
+#include "tests/common/device/scripted_ptu.h"
+#include "tests/common/device/virtual_line.h"
 
 namespace geon::device {
 namespace {

@@ -1,55 +1,18 @@
 #include "device/serial_port.h"
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <termios.h>
-#include <unistd.h>
 
-#include <array>
 #include <string>
+
+#include "tests/common/device/plug.h"
 
 namespace geon::device {
 namespace {
 
-// The far end of a serial line.
-class FarEnd {
- public:
-  FarEnd() : fd_(posix_openpt(O_RDWR | O_NOCTTY)) {
-    EXPECT_GE(fd_, 0);
-    EXPECT_EQ(grantpt(fd_), 0);
-    EXPECT_EQ(unlockpt(fd_), 0);
-    std::array<char, 100> name{};
-    EXPECT_EQ(ptsname_r(fd_, name.data(), name.size()), 0);
-    path_ = name.data();
-  }
-  ~FarEnd() { Die(); }
-  void Die() {
-    if (fd_ >= 0) close(fd_);
-    fd_ = -1;
-  }
-  void Say(const std::string& bytes) const {
-    ASSERT_EQ(write(fd_, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
-  }
-  std::string Hear() const {
-    std::array<char, 1000> bytes{};
-    const ssize_t count = read(fd_, bytes.data(), bytes.size());
-    return {bytes.data(), static_cast<size_t>(count < 0 ? 0 : count)};
-  }
-  termios Settings() const {
-    termios settings{};
-    EXPECT_EQ(tcgetattr(fd_, &settings), 0);
-    return settings;
-  }
-  const std::string& path() const { return path_; }
-
- private:
-  int fd_;
-  std::string path_;
-};
-
 TEST(SerialPortTest, CarriesAnyBytesBothWays) {
-  const FarEnd far_end;
+  Plug far_end;
+  far_end.In();
   Result<SerialPort> port = SerialPort::Open(far_end.path(), 38400);
   ASSERT_TRUE(port.ok()) << port.message();
   std::string all;
@@ -62,7 +25,8 @@ TEST(SerialPortTest, CarriesAnyBytesBothWays) {
 }
 
 TEST(SerialPortTest, SetsRawModeAndRate) {
-  const FarEnd far_end;
+  Plug far_end;
+  far_end.In();
   const Result<SerialPort> port = SerialPort::Open(far_end.path(), 9600);
   ASSERT_TRUE(port.ok());
   const termios settings = far_end.Settings();
@@ -72,10 +36,11 @@ TEST(SerialPortTest, SetsRawModeAndRate) {
 }
 
 TEST(SerialPortTest, ADeadFarEndIsAnErrorOfReadAndOfWrite) {
-  FarEnd far_end;
+  Plug far_end;
+  far_end.In();
   Result<SerialPort> port = SerialPort::Open(far_end.path(), 9600);
   ASSERT_TRUE(port.ok());
-  far_end.Die();
+  far_end.Out();
   const auto read = port->Read();
   ASSERT_FALSE(read.ok());
   EXPECT_NE(read.message().find(port->path()), std::string::npos);
@@ -89,7 +54,8 @@ TEST(SerialPortTest, ErrorsSayPathReasonAndWhatNext) {
             std::string::npos);
   EXPECT_NE(missing.message().find("plugged in"), std::string::npos);
   EXPECT_FALSE(SerialPort::Open("/dev/null", 9600).ok());
-  const FarEnd far_end;
+  Plug far_end;
+  far_end.In();
   const auto odd = SerialPort::Open(far_end.path(), 12345);
   ASSERT_FALSE(odd.ok());
   EXPECT_NE(odd.message().find("12345 baud"), std::string::npos);
