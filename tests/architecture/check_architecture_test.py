@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The checker finds every kind of violation in a bad tree, and nothing in a good one."""
 
 import pathlib
