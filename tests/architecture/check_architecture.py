@@ -15,10 +15,11 @@ MAX_FILE_LINES = 400
 MAX_MAIN_LINES = 30
 
 IMPURE_INCLUDE = re.compile(
-    r"lcm/|geon/|zmq|opencv2/(?!(core|imgproc|ml)(/|\.hpp))|iostream|fstream|ofstream|filesystem|unistd\.h|termios\.h"
+    r"lcm/|geon/|zmq|opencv2/(?!(core|imgproc|ml)(/|\.hpp))|iostream|fstream|ofstream|unistd\.h|termios\.h"
     r"|thread|mutex|future|condition_variable|chrono|ctime|time\.h|fcntl\.h|poll\.h|sys/|netinet/|spdlog/|CLI/|csignal")
 IMPURE_WORD = re.compile(
-    r"random_device|\bstd::c(out|err|in)\b|\bprintf\(|\bputs\(|\bfopen\(|\bgetenv\(|\bclock_gettime\(|\bgettimeofday\(|\brand\(\)")
+    r"random_device|\bstd::c(out|err|in)\b|\bprintf\(|\bputs\(|\bfopen\(|\bgetenv\(|\bclock_gettime\(|\bgettimeofday\(|\brand\(\)"
+    r"|\bfilesystem::(?!path\b)\w+")
 PURE_LIBRARIES = ("Eigen/", "opencv2/")
 UNIT = re.compile(
     r"_(m|rad|deg|arcsec|s|us|px|counts|e|1|hz|level|levels|kelvin|V|m_s|rad_s|m_s2|rad_s2|counts_s|counts_s2|rad_m|m_px"

@@ -102,7 +102,8 @@ class CheckArchitectureTest(unittest.TestCase):
                 self.assert_found({"common/sensor/image.h": f"#include {header}\n"}, "pure room")
 
     def test_impure_words(self):
-        for word in ("std::random_device d;", "std::cerr << 1;", 'std::printf("x");', 'getenv("HOME");'):
+        for word in ("std::random_device d;", "std::cerr << 1;", 'std::printf("x");', 'getenv("HOME");',
+                     "std::filesystem::exists(p);"):
             with self.subTest(word):
                 self.assert_found({"common/sim/world.h": word}, "pure room")
 
