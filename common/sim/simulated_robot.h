@@ -51,6 +51,8 @@ struct RobotTruth {
 // clock, no thread: the same bytes at the same times give the same answers and frames.
 class SimulatedRobot {
  public:
+  static constexpr double kStep_s = 0.001;
+
   // Errors: a mesh of the world cannot be used.
   static Result<std::unique_ptr<SimulatedRobot>> Create(const World& world,
                                                         const geometry::SensorRig& rig,
@@ -74,7 +76,6 @@ class SimulatedRobot {
   RigRenderer MakeRenderer() const;
 
  private:
-  static constexpr double kStep_s = 0.001;
   struct Line {
     SerialDevice* device;
     LineFaults faults;

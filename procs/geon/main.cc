@@ -7,8 +7,20 @@ int main(int argc, char** argv) {
   CLI::App app{"geon: the front door of geonbot"};
   app.set_version_flag("--version", geon::config::BuildVersion());
   app.require_subcommand(1);
-  app.footer("Every command: geon COMMAND --help. Exit codes: 0 ok, 1 failed, 2 usage, 3 not ready.");
+  app.footer(
+      "Every command: geon COMMAND --help. Exit codes: 0 ok, 1 failed, 2 usage, 3 not ready.");
   int exit_code = geon::cli::kOk;
+  geon::cli::AddSegmentCommand(app, &exit_code);
+  geon::cli::AddTeachCommand(app, &exit_code);
+  geon::cli::AddStripeCommand(app, &exit_code);
+  geon::cli::AddCalibrateCommand(app, &exit_code);
+  geon::cli::AddUpCommand(app, &exit_code);
+  geon::cli::AddDownCommand(app, &exit_code);
+  geon::cli::AddStatusCommand(app, &exit_code);
+  geon::cli::AddWatchCommand(app, &exit_code);
+  geon::cli::AddRecognizeCommand(app, &exit_code);
+  geon::cli::AddReplayCommand(app, &exit_code);
+  geon::cli::AddWorldCommand(app, &exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

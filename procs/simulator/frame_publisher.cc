@@ -1,0 +1,133 @@
+#include "procs/simulator/frame_publisher.h"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+#include <zmq.hpp>
+
+#include "base/time.h"
+
+namespace geon::simulator {
+namespace {
+
+constexpr std::array<const char*, sim::kCameras.size()> kSocketNames = {
+    "head_color.frames", "head_bw.frames", "floor_color.frames"};
+
+// How often new subscribers are looked for.
+constexpr std::chrono::milliseconds kSubscriberInterval(20);
+
+}  // namespace
+
+struct FramePublisher::Sockets {
+  zmq::context_t context{1};
+  std::vector<zmq::socket_t> publishers;
+  std::array<int, sim::kCameras.size()> subscribers{};
+
+  // Reads the joining and leaving of subscribers; true while there are some.
+  bool HasSubscribers(size_t camera) {
+    zmq::message_t message;
+    while (publishers[camera].recv(message, zmq::recv_flags::dontwait)) {
+      if (message.size() == 0) continue;
+      subscribers[camera] += *static_cast<const char*>(message.data()) == 1 ? 1 : -1;
+    }
+    return subscribers[camera] > 0;
+  }
+};
+
+Result<std::unique_ptr<FramePublisher>> FramePublisher::Open(
+    const std::filesystem::path& run_directory, sim::RigRenderer renderer, int64_t epoch_utime) {
+  auto sockets = std::make_unique<Sockets>();
+  for (const char* name : kSocketNames) {
+    const std::string address =
+        "ipc://" + (std::filesystem::absolute(run_directory) / name).string();
+    try {
+      zmq::socket_t socket(sockets->context, zmq::socket_type::xpub);
+      socket.set(zmq::sockopt::linger, 0);
+      socket.set(zmq::sockopt::sndhwm,
+                 2);  // a slow reader loses frames instead of reading old ones
+      // Every joining and leaving is told, not only the first and the last.
+      socket.set(zmq::sockopt::xpub_verboser, 1);
+      socket.bind(address);
+      sockets->publishers.push_back(std::move(socket));
+    } catch (const zmq::error_t& error) {
+      return Status::Error(address + ": " + error.what() +
+                           " (is the run directory's path too long, or not writable?)");
+    }
+  }
+  return std::unique_ptr<FramePublisher>(
+      new FramePublisher(std::move(sockets), std::move(renderer), epoch_utime));
+}
+
+FramePublisher::FramePublisher(std::unique_ptr<Sockets> sockets, sim::RigRenderer renderer,
+                               int64_t epoch_utime)
+    : sockets_(std::move(sockets)),
+      renderer_(std::move(renderer)),
+      epoch_utime_(epoch_utime),
+      thread_([this] { Run(); }) {}
+
+FramePublisher::~FramePublisher() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  offered_.notify_one();
+  thread_.join();
+}
+
+void FramePublisher::Offer(const sim::Exposure& exposure) {
+  const auto camera = static_cast<size_t>(exposure.camera);
+  if (!wanted_[camera]) return;
+  {
+    const std::lock_guard lock(mutex_);
+    if (waiting_[camera]) return;
+    waiting_[camera] = exposure;
+  }
+  offered_.notify_one();
+}
+
+void FramePublisher::Run() {
+  size_t turn = 0;
+  while (true) {
+    std::optional<sim::Exposure> next;
+    {
+      std::unique_lock lock(mutex_);
+      const auto ready = [this] {
+        for (const auto& exposure : waiting_) {
+          if (exposure) return true;
+        }
+        return stop_;
+      };
+      offered_.wait_for(lock, kSubscriberInterval, ready);
+      if (stop_) return;
+      // Cameras take turns, so that a slow machine starves none.
+      for (size_t k = 0; k < waiting_.size() && !next; ++k) {
+        next = std::exchange(waiting_[(turn + k) % waiting_.size()], std::nullopt);
+      }
+    }
+    if (next) {
+      turn = static_cast<size_t>(next->camera) + 1;
+      Send(*next);
+    }
+    for (size_t camera = 0; camera < wanted_.size(); ++camera) {
+      wanted_[camera] = sockets_->HasSubscribers(camera);
+    }
+  }
+}
+
+void FramePublisher::Send(const sim::Exposure& exposure) {
+  const sim::Frame frame = sim::Develop(exposure, &renderer_);
+  const nlohmann::json header = {
+      {"seq", exposure.seq},
+      {"utime", epoch_utime_ + MicrosecondsFromSeconds(exposure.start_s)},
+      {"width", frame.width_px},
+      {"height", frame.height_px},
+      {"format", frame.channels == 1 ? "gray8" : "bgr8"},
+      {"exposure_us", MicrosecondsFromSeconds(exposure.end_s - exposure.start_s)}};
+  zmq::socket_t& socket = sockets_->publishers[static_cast<size_t>(exposure.camera)];
+  socket.send(zmq::buffer(header.dump()), zmq::send_flags::sndmore | zmq::send_flags::dontwait);
+  socket.send(zmq::buffer(frame.pixels), zmq::send_flags::dontwait);
+}
+
+}  // namespace geon::simulator
