@@ -215,7 +215,7 @@ void CaptureFrameSource::Start(double time_s) {
   shared_->event_fd = dup(event_fd_);
   thread_ = std::thread([shared = shared_] { shared->Run(); });
   last_frame_s_ = time_s;
-  reconnects_ += opened_++ > 0 ? 1 : 0;
+  delivered_ = false;
 }
 
 // Ends the drain thread, or leaves it behind when its grab does not return.
@@ -255,6 +255,8 @@ Result<std::optional<sensor::Image>> CaptureFrameSource::Poll(double time_s) {
   if (image) {
     last_frame_s_ = time_s;
     back_off_.Succeeded();
+    if (!delivered_) reconnects_ += ever_delivered_ ? 1 : 0;
+    delivered_ = ever_delivered_ = true;
   }
   const bool silent = time_s - last_frame_s_ >= options_.timeout_s;
   if (ended || silent) {

@@ -38,7 +38,8 @@ class CaptureFrameSource : public FrameSource {
   BackOff back_off_;
   double last_frame_s_ = 0.0;
   std::string trouble_;
-  int opened_ = 0;
+  bool delivered_ = false;  // since it was last opened
+  bool ever_delivered_ = false;
   int reconnects_ = 0;
   int32_t seq_ = 0;
 };
