@@ -12,8 +12,8 @@ struct DifferenceOfSlopeOptions {
   // theta_Smax: within +-this the curve is straight. Section 5.3.1 gives no values for this and the
   // next two; theirs come from synthetic profiles (docs/experiments.md).
   double zero_range_rad = 0.083;
-  int curve_width = 30;      // s_curve, samples: wider peaks are curves
-  double corner_rad = 1.1;   // theta_corner: higher peaks are corners
+  int curve_width = 30;     // s_curve, samples: wider peaks are curves
+  double corner_rad = 1.1;  // theta_corner: higher peaks are corners
   // A negative peak must fall below minus this to count as a concavity (figure 5.11).
   double concave_rad = 0.165;
   void Validate() const;  // throws ContractViolation

@@ -9,24 +9,33 @@
 namespace geon::recognition {
 namespace {
 
-// How far p2 lies inside the line from p1 to p3, measured across the stripes' direction `across`
-// (0: x, 1: y), inwards being +1 (left and top ends) or -1 (right and bottom ends).
-double ConcaveDepth(const Eigen::Vector2d& p1, const Eigen::Vector2d& p2, const Eigen::Vector2d& p3,
-                    int across, double inwards) {
+// Where a point stands in the image, scaled to metres at distance `z_m`.
+Eigen::Vector2d InImage(const Eigen::Vector3d& p_B_m, double z_m) {
+  return p_B_m.head<2>() * (z_m / p_B_m.z());
+}
+
+// How far p2 lies inside the line from p1 to p3, measured along axis `across` (0: x, 1: y); inwards
+// is +1 (left and top ends) or -1 (right and bottom ends).
+double ConcaveDepth(const Eigen::Vector3d& p1_B_m, const Eigen::Vector3d& p2_B_m,
+                    const Eigen::Vector3d& p3_B_m, int across, double inwards) {
+  if (p1_B_m.z() <= 0.0 || p2_B_m.z() <= 0.0 || p3_B_m.z() <= 0.0) return 0.0;
+  const Eigen::Vector2d p1_m = InImage(p1_B_m, p2_B_m.z());
+  const Eigen::Vector2d p2_m = InImage(p2_B_m, p2_B_m.z());
+  const Eigen::Vector2d p3_m = InImage(p3_B_m, p2_B_m.z());
   const int along = 1 - across;
-  const double span_m = p3[along] - p1[along];
+  const double span_m = p3_m[along] - p1_m[along];
   if (span_m <= 0.0) return 0.0;  // crossed stripes tell nothing
-  const double t = std::clamp((p2[along] - p1[along]) / span_m, 0.0, 1.0);
-  return inwards * (p2[across] - (p1[across] + t * (p3[across] - p1[across])));
+  const double t = std::clamp((p2_m[along] - p1_m[along]) / span_m, 0.0, 1.0);
+  return inwards * (p2_m[across] - (p1_m[across] + t * (p3_m[across] - p1_m[across])));
 }
 
 double LargestConcaveDepth(std::span<const ProfileEnds> ends, int across) {
   double largest_m = 0.0;
   for (size_t i = 0; i + 2 < ends.size(); ++i) {
     const double first_m =
-        ConcaveDepth(ends[i].first_m, ends[i + 1].first_m, ends[i + 2].first_m, across, 1.0);
+        ConcaveDepth(ends[i].first_B_m, ends[i + 1].first_B_m, ends[i + 2].first_B_m, across, 1.0);
     const double last_m =
-        ConcaveDepth(ends[i].last_m, ends[i + 1].last_m, ends[i + 2].last_m, across, -1.0);
+        ConcaveDepth(ends[i].last_B_m, ends[i + 1].last_B_m, ends[i + 2].last_B_m, across, -1.0);
     largest_m = std::max({largest_m, first_m, last_m});
   }
   return largest_m;

@@ -16,9 +16,10 @@ struct BendingOptions {
 // Evidence of bending: a profile in two segments, a concavity, or a concave edge through the end
 // points on any of the four sides.
 //
-// Source: thesis section 5.4, equation 5.3, figures 5.10-5.12. Deviation: the line from p1 to p3 is
-// taken at p2's own height, as the text says, not half-way as printed: with the stripes at 1/4,
-// 1/2 and 3/4 both agree.
+// Source: thesis section 5.4, equation 5.3, figures 5.10-5.12. Deviations: the line from p1 to p3
+// is taken at p2's own place, as the text says, not half-way as printed (they agree for equal
+// steps); and in the perspective image, scaled to metres at p2's distance, where a straight edge is
+// a straight line whatever its direction in depth.
 sensor::BendingEvidence FindBending(std::span<const sensor::ProfileEvidence> profiles,
                                     std::span<const ProfileEnds> horizontal,
                                     std::span<const ProfileEnds> vertical,

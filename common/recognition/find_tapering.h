@@ -8,12 +8,15 @@
 namespace geon::recognition {
 
 struct TaperingOptions {
-  // Lengths count as different (5.4-5.7) when they differ by more than this and this fraction:
-  // noise alone would make three equal lengths monotone one time in three.
-  double length_tolerance_m = 0.006;
-  double length_tolerance_1 = 0.02;
-  double asymmetry_m = 0.030;  // k_tol of (5.8); the thesis prints no value
-  void Validate() const;       // throws ContractViolation
+  // Lengths count as different (5.4-5.7) when they differ by more than this: noise alone would make
+  // three equal lengths monotone one time in three. Vertical stripes cross the top and the front of
+  // an object, which perspective foreshortens unequally: they need more.
+  double horizontal_length_m = 0.0027;
+  double vertical_length_m = 0.013;
+  // k_tol of (5.8) for each direction. The thesis prints no value.
+  double horizontal_step_m = 0.046;
+  double vertical_step_m = 0.0205;
+  void Validate() const;  // throws ContractViolation
 };
 
 // Evidence of tapering: lengths that rise or fall from stripe to stripe (5.4-5.7), or ends that

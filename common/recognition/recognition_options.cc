@@ -6,6 +6,20 @@
 
 namespace geon::recognition {
 
+std::optional<CurvatureMethod> CurvatureMethodFromString(std::string_view name) {
+  if (name == "ogorman") return CurvatureMethod::kOGorman;
+  if (name == "ramer") return CurvatureMethod::kRamer;
+  if (name == "wall") return CurvatureMethod::kWall;
+  return std::nullopt;
+}
+
+std::optional<Smoothing> SmoothingFromString(std::string_view name) {
+  if (name == "median") return Smoothing::kMedian;
+  if (name == "gaussian") return Smoothing::kGaussian;
+  if (name == "none") return Smoothing::kNone;
+  return std::nullopt;
+}
+
 void RecognitionOptions::Validate() const {
   smoothing.Validate();
   background.Validate();

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "recognition/difference_of_slope.h"
 #include "recognition/find_bending.h"
 #include "recognition/find_tapering.h"
@@ -13,6 +16,10 @@ namespace geon::recognition {
 // How corners, curves and lines are found (section 5.3). The thesis compared the three and kept
 // O'Gorman's.
 enum class CurvatureMethod { kOGorman, kRamer, kWall };
+
+// What people write: ogorman, ramer, wall; median, gaussian, none. Nothing for other names.
+std::optional<CurvatureMethod> CurvatureMethodFromString(std::string_view name);
+std::optional<Smoothing> SmoothingFromString(std::string_view name);
 
 // Everything that can be set about recognition.
 struct RecognitionOptions {

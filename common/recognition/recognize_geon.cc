@@ -1,6 +1,7 @@
 #include "recognition/recognize_geon.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "base/contracts.h"
@@ -85,7 +86,9 @@ ProfileEvidence DescribeProfile(const TargetProfile& target, const sensor::ScanS
   evidence.points = target.profile.on_target;
   evidence.segments = static_cast<int>(target.segments.size());
   if (target.segments.empty()) return evidence;
-  evidence.length_m = (target.profile.p_L_m.back() - target.profile.p_L_m.front()).norm();
+  const Eigen::Vector3d along_L = scan.rotation_LB.col(evidence.laser == Laser::kVertical ? 1 : 0);
+  evidence.length_m =
+      std::abs(along_L.dot(target.profile.p_L_m.back() - target.profile.p_L_m.front()));
 
   std::vector<std::vector<Eigen::Vector2d>> curves_m;
   double total_m = 0.0;

@@ -59,6 +59,7 @@ void SmoothingOptions::Validate() const {
 sensor::RangeProfile SmoothProfile(const sensor::RangeProfile& profile,
                                    const Eigen::Vector3d& p_LB_m, const Eigen::Matrix3d& R_LB,
                                    const SmoothingOptions& options) {
+  options.Validate();
   if (options.kind == Smoothing::kNone) return profile;
   std::vector<double> depth_m;
   depth_m.reserve(profile.p_L_m.size());

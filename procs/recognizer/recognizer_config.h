@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "base/status.h"
+#include "config/daemon_arguments.h"
+#include "config/yaml_section.h"
+#include "geometry/sensor_rig.h"
+#include "procs/recognizer/scan_assembler.h"
+
+namespace geon::recognizer {
+
+struct RecognizerConfig {
+  geometry::SensorRig rig;
+  std::filesystem::path calibration_dir;
+  ScanAssemblerOptions assembler;
+  std::string bus_url;
+};
+
+// The `recognizer:` section of a robot file (scripts/config/robot.yaml explains every key).
+void ReadRecognizerSection(config::YamlSection section, RecognizerConfig* config);
+
+// Reads `rig:` and `recognizer:` of a robot file; a relative calibration_dir belongs to the folder
+// of that file. `calibration_dir`, when not empty, wins over the file's.
+Result<RecognizerConfig> LoadRecognizerConfig(const std::filesystem::path& robot_file,
+                                              const std::string& calibration_dir);
+
+// The same with `bus:`, for the daemon.
+Result<RecognizerConfig> LoadRecognizerConfig(const config::DaemonArguments& arguments,
+                                              const std::string& calibration_dir);
+
+}  // namespace geon::recognizer

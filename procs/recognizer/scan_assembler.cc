@@ -1,0 +1,144 @@
+#include "procs/recognizer/scan_assembler.h"
+
+#include <algorithm>
+
+#include "procs/recognizer/difference_image.h"
+#include "rangefinder/range_profile.h"
+#include "recognition/recognize_geon.h"
+
+namespace geon::recognizer {
+namespace {
+
+using sensor::ProfileStatus;
+
+bool SameStripe(const sensor::PlannedStripe& a, const sensor::PlannedStripe& b) {
+  return a.laser == b.laser && a.fraction == b.fraction && a.pan_rad == b.pan_rad &&
+         a.tilt_rad == b.tilt_rad;
+}
+
+// Whether two plans are one, sent twice.
+bool SamePlan(const sensor::ScanPlan& a, const sensor::ScanPlan& b) {
+  return a.scan_id == b.scan_id && a.target_box == b.target_box && a.pan_rad == b.pan_rad &&
+         a.tilt_rad == b.tilt_rad && a.support_height_m == b.support_height_m &&
+         a.distance_m == b.distance_m &&
+         std::equal(a.stripes.begin(), a.stripes.end(), b.stripes.begin(), b.stripes.end(),
+                    SameStripe);
+}
+
+// The answer to a stripe that nothing was measured on.
+sensor::RangeProfile EmptyProfile(const sensor::Stripe& stripe, ProfileStatus status) {
+  sensor::RangeProfile profile;
+  profile.utime = stripe.utime;
+  profile.scan_id = stripe.scan_id;
+  profile.stripe_index = stripe.stripe_index;
+  profile.attempt = stripe.attempt;
+  profile.laser = stripe.laser;
+  profile.status = status;
+  return profile;
+}
+
+}  // namespace
+
+sensor::ScanSet MakeScanSet(const geometry::SensorRig& rig, const sensor::ScanPlan& plan,
+                            std::vector<sensor::RangeProfile> profiles) {
+  const geometry::RigidTransform X_RB = rig.StripeCameraPose(plan.pan_rad, plan.tilt_rad);
+  const geometry::RigidTransform X_LB =
+      geometry::LevelFrame(X_RB, plan.support_height_m).inverse() * X_RB;
+  sensor::ScanSet scan;
+  scan.scan_id = plan.scan_id;
+  scan.camera_position_L_m = X_LB.translation();
+  scan.rotation_LB = X_LB.linear();
+  scan.target_box = plan.target_box;
+  scan.profiles = std::move(profiles);
+  return scan;
+}
+
+ScanAssembler::ScanAssembler(geometry::SensorRig rig, StripeCalibration calibration,
+                             ScanAssemblerOptions options)
+    : rig_(std::move(rig)), calibration_(std::move(calibration)), options_(std::move(options)) {
+  options_.recognition.Validate();
+}
+
+void ScanAssembler::Take(const sensor::ScanPlan& plan) {
+  if (plan_ && SamePlan(*plan_, plan)) return;
+  plan_ = plan;
+  answers_.clear();
+  good_.clear();
+  verdict_.reset();
+  newest_utime_ = 0;
+}
+
+ScanAssembler::Answer ScanAssembler::Take(const sensor::Stripe& stripe) {
+  const bool known = plan_ && stripe.scan_id == plan_->scan_id && stripe.stripe_index >= 0 &&
+                     static_cast<size_t>(stripe.stripe_index) < plan_->stripes.size() &&
+                     stripe.laser == plan_->stripes[static_cast<size_t>(stripe.stripe_index)].laser;
+  if (!known) return {EmptyProfile(stripe, ProfileStatus::kRefused), std::nullopt};
+
+  const std::pair<int32_t, int32_t> key(stripe.stripe_index, stripe.attempt);
+  const auto answered = answers_.find(key);
+  if (answered != answers_.end()) return {answered->second, verdict_};
+
+  const sensor::RangeProfile& profile = answers_.emplace(key, Measure(stripe)).first->second;
+  newest_utime_ = std::max(newest_utime_, stripe.utime);
+  if (profile.status == ProfileStatus::kOk && !verdict_) {
+    const auto [best, first] = good_.emplace(stripe.stripe_index, profile);
+    if (!first && best->second.attempt < profile.attempt) best->second = profile;
+  }
+  if (!verdict_ && good_.size() == plan_->stripes.size()) verdict_ = GiveVerdict();
+  return {profile, verdict_};
+}
+
+std::optional<sensor::GeonVerdict> ScanAssembler::Take(const sensor::ScanCommand& command) {
+  const bool ends = plan_ && command.scan_id == plan_->scan_id &&
+                    command.laser == sensor::Laser::kNone && !good_.empty();
+  if (!ends) return std::nullopt;
+  if (!verdict_) verdict_ = GiveVerdict();
+  return verdict_;
+}
+
+sensor::ScanSet ScanAssembler::CurrentScan() const {
+  if (!plan_) return {};
+  std::vector<sensor::RangeProfile> profiles;
+  for (const auto& [index, profile] : good_) profiles.push_back(profile);
+  return MakeScanSet(rig_, *plan_, std::move(profiles));
+}
+
+sensor::RangeProfile ScanAssembler::Measure(const sensor::Stripe& stripe) const {
+  if (stripe.status == sensor::StripeStatus::kNotLit) {
+    return EmptyProfile(stripe, ProfileStatus::kMissing);
+  }
+  if (stripe.status != sensor::StripeStatus::kLit) {
+    return EmptyProfile(stripe, ProfileStatus::kRefused);
+  }
+  const rangefinder::LookUpTable& table =
+      stripe.laser == sensor::Laser::kHorizontal ? calibration_.horizontal : calibration_.vertical;
+  const Result<sensor::Image> difference =
+      DifferenceImage(stripe.difference, table.width_px, table.height_px);
+  if (!difference.ok()) return EmptyProfile(stripe, ProfileStatus::kRefused);
+  sensor::Stripe plain = stripe;
+  plain.difference = *difference;
+  sensor::RangeProfile profile =
+      rangefinder::MeasureProfile(plain, *plan_, table, rig_, options_.peaks);
+  CountTargetPoints(&profile);
+  profile.status =
+      profile.on_target >= options_.fewest_points ? ProfileStatus::kOk : ProfileStatus::kMissing;
+  return profile;
+}
+
+// The region of interest needs horizontal stripes; this one is as good as those already there.
+void ScanAssembler::CountTargetPoints(sensor::RangeProfile* profile) const {
+  const recognition::BackgroundOptions& background = options_.recognition.background;
+  sensor::ScanSet scan = CurrentScan();
+  scan.profiles.push_back(*profile);
+  const std::vector<bool> on_target = recognition::FindTargetPoints(
+      *profile, scan, recognition::FindVerticalRegion(scan, background), background);
+  profile->on_target = static_cast<int32_t>(std::count(on_target.begin(), on_target.end(), true));
+}
+
+sensor::GeonVerdict ScanAssembler::GiveVerdict() {
+  sensor::GeonVerdict verdict = recognition::RecognizeGeon(CurrentScan(), options_.recognition);
+  verdict.utime = newest_utime_;
+  return verdict;
+}
+
+}  // namespace geon::recognizer
