@@ -34,21 +34,19 @@ class LivePtu {
     thread_.join();
   }
   double pan_rad() const {
-    return Ask([](const sim::PtuEmulator& ptu) { return ptu.pan_rad(); });
+    const std::lock_guard lock(mutex_);
+    return ptu_.pan_rad();
   }
   double tilt_rad() const {
-    return Ask([](const sim::PtuEmulator& ptu) { return ptu.tilt_rad(); });
+    const std::lock_guard lock(mutex_);
+    return ptu_.tilt_rad();
   }
   bool moving() const {
-    return Ask([](const sim::PtuEmulator& ptu) { return ptu.moving(); });
+    const std::lock_guard lock(mutex_);
+    return ptu_.moving();
   }
 
  private:
-  template <typename Question>
-  auto Ask(Question question) const {
-    const std::lock_guard lock(mutex_);
-    return question(ptu_);
-  }
   void Run() {
     const auto start = std::chrono::steady_clock::now();
     while (!stop_) {
@@ -76,7 +74,10 @@ class MrptPtuTest : public ::testing::Test {
     std::string name = (std::filesystem::temp_directory_path() / "mrpt_ptu_XXXXXX").string();
     return mkdtemp(name.data());
   }
-  void SetUp() override { ASSERT_TRUE(client_.init((folder_ / "ptu.tty").string())); }
+  void SetUp() override {
+    client_.clearErrors();  // MRPT does not start with none
+    ASSERT_TRUE(client_.init((folder_ / "ptu.tty").string()));
+  }
   void TearDown() override {
     client_.close();
     std::filesystem::remove_all(folder_);
@@ -153,6 +154,7 @@ TEST_F(MrptPtuTest, SetsAndReadsSpeeds) {
   ASSERT_TRUE(StandsWithin(milliseconds(3000)));
   EXPECT_FALSE(client_.speed('P', 5000 * kCount_rad));
   EXPECT_TRUE(client_.unExpectedError());
+  EXPECT_FALSE(client_.maxLimitError());
 }
 
 TEST_F(MrptPtuTest, KnowsTheLimitsAndIsRefusedBeyondThem) {
