@@ -61,10 +61,7 @@ void DriveGuard::CommandArrived(double time_s, const sensor::BaseCommand& comman
             std::clamp(command.speed_m_s, -options_.speed_limit_m_s, options_.speed_limit_m_s),
             std::clamp(command.turn_rate_rad_s, -options_.turn_rate_limit_rad_s,
                        options_.turn_rate_limit_rad_s)};
-  const bool knows_of_contact = command_->state_s > hit_s_;
-  if (knows_of_contact && command_->moves() && !PushesAgainstContact(command_->speed_m_s)) {
-    ForgetContacts();
-  }
+  if (command_->state_s > hit_s_ && command_->moves()) ForgetContacts(command_->speed_m_s);
 }
 
 void DriveGuard::BumpersRead(double time_s, const Contacts& pressed, const Bearings& bearing_rad) {
@@ -84,20 +81,26 @@ void DriveGuard::BumpersRead(double time_s, const Contacts& pressed, const Beari
   }
 }
 
-// Those that are free; what still touches stays.
-void DriveGuard::ForgetContacts() {
-  for (size_t i = 0; i < latched_.size(); ++i) latched_[i] = latched_[i] && contacts_[i];
+// Those that are free and are being left.
+void DriveGuard::ForgetContacts(double speed_m_s) {
+  for (size_t i = 0; i < latched_.size(); ++i) {
+    latched_[i] = latched_[i] && (contacts_[i] || PushesAgainst(i, speed_m_s));
+  }
 }
 
 bool DriveGuard::AnyLatched() const {
   return std::any_of(latched_.begin(), latched_.end(), [](bool latched) { return latched; });
 }
 
-bool DriveGuard::PushesAgainstContact(double speed_m_s) const {
+bool DriveGuard::PushesAgainst(size_t bumper, double speed_m_s) const {
   if (speed_m_s == 0.0) return false;
   const double heading_rad = speed_m_s > 0.0 ? 0.0 : kPi;
+  return std::cos(bearing_rad_[bumper] - heading_rad) > kBehind_1;
+}
+
+bool DriveGuard::PushesAgainstContact(double speed_m_s) const {
   for (size_t i = 0; i < latched_.size(); ++i) {
-    if (latched_[i] && std::cos(bearing_rad_[i] - heading_rad) > kBehind_1) return true;
+    if (latched_[i] && PushesAgainst(i, speed_m_s)) return true;
   }
   return false;
 }

@@ -80,9 +80,10 @@ class DriveGuard {
   };
 
   std::optional<double> PublicationTime(double time_s, int32_t seq) const;
+  bool PushesAgainst(size_t bumper, double speed_m_s) const;
   bool PushesAgainstContact(double speed_m_s) const;
   bool AnyLatched() const;
-  void ForgetContacts();
+  void ForgetContacts(double speed_m_s);
 
   DriveGuardOptions options_;
   std::deque<Published> published_;

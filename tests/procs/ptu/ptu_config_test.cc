@@ -32,8 +32,9 @@ TEST(PtuConfigTest, RefusesWhatMakesNoSenseWithItsLine) {
   const Status status = Read(
       "port: \"\"\nbaud: 110\nspeed_deg_s: 400\nreset_at_start: maybe\ncolour: red\n", &config);
   ASSERT_FALSE(status.ok());
-  for (const std::string part : {"robot.yaml:1: port", "robot.yaml:2: baud",
-                                 "robot.yaml:3: speed_deg_s", "reset_at_start", "colour"}) {
+  for (const std::string part :
+       {"robot.yaml:1: 'port'", "robot.yaml:2: 'baud'", "robot.yaml:3: 'speed_deg_s'",
+        "robot.yaml:4: 'reset_at_start'", "robot.yaml:5: 'colour'"}) {
     EXPECT_NE(status.message().find(part), std::string::npos) << part << "\n" << status.message();
   }
 }
