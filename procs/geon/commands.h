@@ -19,6 +19,7 @@ void AddStripeCommand(CLI::App& app, int* exit_code);
 void AddCalibrateCommand(CLI::App& app, int* exit_code);
 void AddRecognizeCommand(CLI::App& app, int* exit_code);
 void AddReplayCommand(CLI::App& app, int* exit_code);
+void AddReportCommand(CLI::App& app, int* exit_code);
 void AddWorldCommand(CLI::App& app, int* exit_code);
 
 }  // namespace geon::cli

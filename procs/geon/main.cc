@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   geon::cli::AddWatchCommand(app, &exit_code);
   geon::cli::AddRecognizeCommand(app, &exit_code);
   geon::cli::AddReplayCommand(app, &exit_code);
+  geon::cli::AddReportCommand(app, &exit_code);
   geon::cli::AddWorldCommand(app, &exit_code);
   try {
     app.parse(argc, argv);
