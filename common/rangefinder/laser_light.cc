@@ -81,6 +81,23 @@ cv::Mat OtherChannels(const sensor::Image& image, LaserColor color) {
   return mean;
 }
 
+constexpr int kGateWindow_px = 7;
+constexpr double kFadeIn = 40.0;         // grey levels
+constexpr double kLeastTintNoise = 2.0;  // grey levels
+
+// The middle of all values, and how far one standard deviation lies above it.
+std::pair<double, double> MedianAndNoise(const cv::Mat& values) {
+  std::vector<float> sorted(values.begin<float>(), values.end<float>());
+  const auto quantile = [&](double share) {
+    const auto at =
+        sorted.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
+    std::nth_element(sorted.begin(), at, sorted.end());
+    return static_cast<double>(*at);
+  };
+  const double median = quantile(0.5);
+  return {median, quantile(0.8413) - median};
+}
+
 cv::Mat LocalBackground(const cv::Mat& plane, int window_px) {
   // The median of a window no larger than the image, which must be odd.
   int window = std::min({window_px, plane.cols, plane.rows});
@@ -88,6 +105,50 @@ cv::Mat LocalBackground(const cv::Mat& plane, int window_px) {
   cv::Mat background;
   cv::medianBlur(plane, background, std::max(window, 1));
   return background;
+}
+
+// The laser's channel above the others, where it is more than usual nearby. In the stripe's
+// saturated core all channels are full, which hides its colour: there the others count as in the
+// surroundings.
+cv::Mat Tint(const sensor::Image& lit, LaserColor color, const LaserLightOptions& options) {
+  const cv::Mat laser = LaserChannel(lit, color);
+  cv::Mat others = OtherChannels(lit, color);
+  const cv::Mat surroundings =
+      cv::min(LocalBackground(others, options.background_window_px), others);
+  surroundings.copyTo(others, laser >= options.saturated_level);
+  cv::Mat tint;
+  cv::subtract(laser, others, tint);
+  cv::subtract(tint, LocalBackground(tint, options.background_window_px), tint);
+  return tint;
+}
+
+// Brightness of the laser's light beyond what its own channel can show: where that is full, the
+// others, which then catch the overflow, count with it. Half scale, so that both fit.
+cv::Mat ColorLevel(const sensor::Image& lit, LaserColor color, const LaserLightOptions& options) {
+  const cv::Mat laser = LaserChannel(lit, color);
+  cv::Mat overflow = OtherChannels(lit, color);
+  // Fades in below full, so that noise there does not make steps.
+  cv::Mat share;
+  laser.convertTo(share, CV_32F, 1.0 / kFadeIn, 1.0 - options.saturated_level / kFadeIn);
+  share = cv::max(cv::min(share, 1.0), 0.0);
+  cv::multiply(overflow, share, overflow, 1.0, CV_8U);
+  cv::Mat level;
+  cv::addWeighted(laser, 0.5, overflow, 0.5, 0.0, level);
+  return level;
+}
+
+// How much a neighbourhood has the laser's colour, 0 ... 1, against the image's noise. Colour is
+// noisy, and coarser than brightness in compressed images: it tells where the laser shines, not to
+// a fraction of a pixel.
+cv::Mat ColorGate(const cv::Mat& tint) {
+  cv::Mat smooth;
+  cv::boxFilter(tint, smooth, CV_32F, {kGateWindow_px, kGateWindow_px});
+  const auto [median, noise] = MedianAndNoise(smooth);
+  // Nothing at 3 standard deviations, all at 6.
+  const double unit = 3.0 * std::max(noise, kLeastTintNoise);
+  cv::Mat gate = (smooth - (median + unit)) / unit;
+  gate = cv::max(cv::min(gate, 1.0), 0.0);
+  return gate;
 }
 
 }  // namespace
@@ -104,20 +165,12 @@ sensor::Image LaserLight(const sensor::Image& lit, const sensor::Image& unlit, L
 sensor::Image LaserLight(const sensor::Image& lit, LaserColor color,
                          const LaserLightOptions& options) {
   Require(options.background_window_px >= 3, "LaserLightOptions: background_window_px at least 3");
-  cv::Mat light = LaserChannel(lit, color).clone();
   const bool in_color = sensor::ChannelCount(lit.format) == 3 && color != LaserColor::kMono;
-  if (in_color) {
-    const cv::Mat others = OtherChannels(lit, color);
-    cv::Mat surroundings = LocalBackground(others, options.background_window_px);
-    surroundings = cv::min(surroundings, others);
-    const cv::Mat saturated = light >= options.saturated_level;
-    cv::Mat not_laser = others.clone();
-    surroundings.copyTo(not_laser, saturated);
-    cv::subtract(light, not_laser, light);
-  }
-  cv::Mat excess;
-  cv::subtract(light, LocalBackground(light, options.background_window_px), excess);
-  return GrayImage(excess, lit);
+  const cv::Mat level = in_color ? ColorLevel(lit, color, options) : LaserChannel(lit, color);
+  cv::Mat light;
+  cv::subtract(level, LocalBackground(level, options.background_window_px), light);
+  if (in_color) cv::multiply(light, ColorGate(Tint(lit, color, options)), light, 1.0, CV_8U);
+  return GrayImage(light, lit);
 }
 
 sensor::Image AverageImages(const std::vector<sensor::Image>& images) {

@@ -15,9 +15,9 @@ struct LaserLightOptions {
 // of all for kMono. Sizes and formats must agree.
 sensor::Image LaserLight(const sensor::Image& lit, const sensor::Image& unlit, LaserColor color);
 
-// Laser light in a single frame: the laser's channel minus the others, minus the local background
-// (a median). In the stripe's saturated core all channels are full, which is not grey: there the
-// others count as in the surroundings.
+// Laser light in a single frame: brightness minus the local background (a median). In colour, only
+// where the neighbourhood has the laser's colour, and at half scale: where the laser's channel is
+// full, the others, which catch its overflow, count with it.
 sensor::Image LaserLight(const sensor::Image& lit, LaserColor color,
                          const LaserLightOptions& options = {});
 

@@ -124,36 +124,78 @@ double Centroid(std::span<const uint8_t> line, int first, int last, double base_
   return weight_sum > 0.0 ? index_sum / weight_sum : 0.5 * (first + last);
 }
 
+// The level the stripe stands on in its neighbourhood: light scattered round a saturated stripe, or
+// what the subtraction of the background left over. The median, as long as the stripe fills less
+// than half.
+double Pedestal(std::span<const uint8_t> line, int middle, int reach) {
+  const int first = std::max(0, middle - reach);
+  const int last = std::min(static_cast<int>(line.size()) - 1, middle + reach);
+  std::vector<uint8_t> levels(line.begin() + first, line.begin() + last + 1);
+  const auto median = levels.begin() + static_cast<ptrdiff_t>(levels.size() / 2);
+  std::nth_element(levels.begin(), median, levels.end());
+  return *median;
+}
+
+// One bright spot, `peak` being its brightest pixel after smoothing. Blanks what it covers in
+// `smooth`.
+PeakCandidate MeasureCandidate(std::span<const uint8_t> line, int peak,
+                               const Background& background, double threshold_1,
+                               const PeakOptions& options, std::vector<double>* smooth) {
+  const int length = static_cast<int>(line.size());
+  const double peak_level_1 = (*smooth)[static_cast<size_t>(peak)];
+  const Stretch crest = StretchAbove(*smooth, peak, 0.9 * peak_level_1);
+  const int middle = (crest.first + crest.last) / 2;
+  const double pedestal_1 =
+      std::max(0.0, Pedestal(line, middle, options.max_width_px) - background.level_1);
+  const double height_1 = peak_level_1 - pedestal_1;
+  const Stretch half = StretchAbove(*smooth, peak, pedestal_1 + 0.5 * height_1);
+  const Stretch foot = StretchAbove(*smooth, peak, pedestal_1 + options.base_fraction_1 * height_1);
+  const int reach = std::max(options.half_window_px, half.width());
+  const int center = (half.first + half.last) / 2;
+
+  PeakCandidate candidate;
+  candidate.position_px =
+      Centroid(line, std::max({0, center - reach, foot.first}),
+               std::min({length - 1, center + reach, foot.last}),
+               background.level_1 + pedestal_1 + options.base_fraction_1 * height_1);
+  candidate.peak_1 = height_1;
+  candidate.sigma_px = WidthAsSigma(line, half, background.level_1 + pedestal_1 + 0.5 * height_1);
+  candidate.too_wide = half.width() > options.max_width_px || height_1 < threshold_1;
+  std::fill(smooth->begin() + std::max(0, std::min(center - reach, half.first)),
+            smooth->begin() + std::min(length - 1, std::max(center + reach, half.last)) + 1, 0.0);
+  return candidate;
+}
+
 // The bright spots of one line, brightest first.
 void FindCandidates(int line_index, std::span<const uint8_t> line, const Background& background,
                     double threshold_1, const PeakOptions& options,
                     std::vector<PeakCandidate>* candidates) {
   std::vector<double> smooth = Smooth(line, background.level_1);
-  const int length = static_cast<int>(line.size());
   for (int found = 0; found < options.max_candidates; ++found) {
     const auto brightest = std::max_element(smooth.begin(), smooth.end());
     if (*brightest < threshold_1) return;
-    const int peak = static_cast<int>(brightest - smooth.begin());
-    const double peak_1 = *brightest;
-    const Stretch half = StretchAbove(smooth, peak, 0.5 * peak_1);
-    const int middle = (half.first + half.last) / 2;
-    const int reach = std::max(options.half_window_px, half.width());
-    const int first = std::max(0, middle - reach);
-    const int last = std::min(length - 1, middle + reach);
-
-    const Stretch foot = StretchAbove(smooth, peak, options.base_fraction_1 * peak_1);
-    const double base_1 = background.level_1 + options.base_fraction_1 * peak_1;
-    PeakCandidate candidate;
-    candidate.line = line_index;
-    candidate.position_px =
-        Centroid(line, std::max(first, foot.first), std::min(last, foot.last), base_1);
-    candidate.peak_1 = peak_1;
-    candidate.sigma_px = WidthAsSigma(line, half, background.level_1 + 0.5 * peak_1);
-    candidate.too_wide = half.width() > options.max_width_px;
-    candidates->push_back(candidate);
-    std::fill(smooth.begin() + std::min(first, half.first),
-              smooth.begin() + std::max(last, half.last) + 1, 0.0);
+    candidates->push_back(MeasureCandidate(line, static_cast<int>(brightest - smooth.begin()),
+                                           background, threshold_1, options, &smooth));
+    candidates->back().line = line_index;
   }
+}
+
+// Takes out the pieces that are too faint beside the rest of the stripe.
+void DropFaintPieces(const std::vector<PeakCandidate>& candidates, double min_relative_peak_1,
+                     std::vector<std::vector<size_t>>* pieces) {
+  std::vector<double> peaks;
+  for (const std::vector<size_t>& piece : *pieces) {
+    for (const size_t index : piece) peaks.push_back(candidates[index].peak_1);
+  }
+  if (peaks.empty()) return;
+  const auto median = peaks.begin() + static_cast<ptrdiff_t>(peaks.size() / 2);
+  std::nth_element(peaks.begin(), median, peaks.end());
+  const double least_1 = min_relative_peak_1 * *median;
+  std::erase_if(*pieces, [&](const std::vector<size_t>& piece) {
+    double sum = 0.0;
+    for (const size_t index : piece) sum += candidates[index].peak_1;
+    return sum < least_1 * static_cast<double>(piece.size());
+  });
 }
 
 // How much stripe there is on both sides of a candidate on its piece: the light of the neighbours.
@@ -221,6 +263,9 @@ std::optional<std::string> PeakOptions::Validate() const {
   if (max_step_px < 1 || max_gap_px < 0)
     return "max_step_px must be positive, max_gap_px not negative";
   if (min_piece_px < 1) return "min_piece_px must be at least 1";
+  if (!(min_relative_peak_1 >= 0.0 && min_relative_peak_1 < 1.0)) {
+    return "min_relative_peak_1 must be in [0, 1)";
+  }
   if (max_candidates < 1) return "max_candidates must be at least 1";
   return std::nullopt;
 }
@@ -267,6 +312,7 @@ std::vector<StripePeak> FindStripePeaks(const sensor::Image& laser_light, sensor
 
   std::vector<std::vector<size_t>> pieces =
       LinkPieces(candidates, {options.max_step_px, options.max_gap_px, options.min_piece_px});
+  DropFaintPieces(candidates, options.min_relative_peak_1, &pieces);
   const std::vector<double> support = Support(candidates, pieces);
 
   std::vector<StripePeak> peaks;

@@ -16,11 +16,13 @@ struct PeakOptions {
   double noise_factor_1 = 6.0;   // and this many standard deviations of the image's noise
   double base_fraction_1 = 0.2;  // of the peak: what lies below is not weighed in (3.6)
   int half_window_px = 7;        // of the centroid, widened for a stripe that is wider
-  int max_width_px = 40;         // at half height; wider is glare
+  int max_width_px = 20;         // at half height; wider is glare
   int max_step_px = 3;           // between neighbours on one unbroken piece of the stripe
   int max_gap_px = 2;            // columns (rows) missing inside a piece
   int min_piece_px = 6;          // shorter pieces are specks
   int max_candidates = 4;        // bright spots considered in one column (row)
+  // Of the stripe's median brightness; fainter pieces are light scattered by what the stripe hits.
+  double min_relative_peak_1 = 0.2;
 
   std::optional<std::string> Validate() const;
 };

@@ -58,11 +58,9 @@ std::vector<std::vector<size_t>> LinkPieces(const std::vector<PeakCandidate>& ca
     }
     begin = end;
   }
-  pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
-                              [&](const std::vector<size_t>& piece) {
-                                return static_cast<int>(piece.size()) < options.min_piece_px;
-                              }),
-               pieces.end());
+  std::erase_if(pieces, [&](const std::vector<size_t>& piece) {
+    return static_cast<int>(piece.size()) < options.min_piece_px;
+  });
   return pieces;
 }
 
