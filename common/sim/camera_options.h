@@ -38,6 +38,8 @@ struct MountingErrorOptions {
   double focal_1 = 0.003;
   double camera_rad = RadiansFromDegrees(0.1);
   double laser_rad = RadiansFromDegrees(0.3);
+  // Which robot of the series: its errors stay its own, so that one calibration serves every run.
+  int individual = 1;
 };
 
 struct RendererOptions {

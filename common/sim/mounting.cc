@@ -25,8 +25,8 @@ void Misplace(const MountingErrorOptions& options, NoiseSource* noise,
 }  // namespace
 
 geometry::SensorRig AsMounted(const geometry::SensorRig& designed,
-                              const MountingErrorOptions& options, uint64_t seed) {
-  NoiseSource noise(seed ^ 0x6d6f756e74ULL);
+                              const MountingErrorOptions& options) {
+  NoiseSource noise(static_cast<uint64_t>(options.individual) ^ 0x6d6f756e74ULL);
   geometry::SensorRig rig = designed;
   Misplace(options, &noise, &rig.color_camera, &rig.X_TC);
   Misplace(options, &noise, &rig.stripe_camera, &rig.X_TB);

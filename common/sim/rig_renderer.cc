@@ -64,7 +64,7 @@ struct RigRenderer::Sight {
 RigRenderer::RigRenderer(std::shared_ptr<const Scene> scene, const geometry::SensorRig& designed,
                          const RendererOptions& options, uint64_t seed)
     : scene_(std::move(scene)),
-      mounted_rig_(AsMounted(designed, options.mounting, seed)),
+      mounted_rig_(AsMounted(designed, options.mounting)),
       options_(options),
       seed_(seed),
       color_sensor_(options.color),

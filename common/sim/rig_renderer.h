@@ -33,8 +33,8 @@ struct Frame {
   std::vector<uint8_t> pixels;
 };
 
-// What the three cameras of one individual robot see. The individual (its mounting errors) and all
-// noise follow from the seed: the same seed, pose and `seq` give the same bytes.
+// What the three cameras of one individual robot (options.mounting) see. All noise follows from the
+// seed: the same seed, pose and `seq` give the same bytes.
 //
 // Light without noise is kept as long as the pose stays the same, so a head that stands still is
 // cheap.

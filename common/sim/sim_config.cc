@@ -37,6 +37,7 @@ void ReadMounting(YamlSection* root, MountingErrorOptions* mounting) {
   section.ReadOptional("focal_1", &mounting->focal_1);
   section.ReadOptionalAngle("camera_deg", &mounting->camera_rad);
   section.ReadOptionalAngle("laser_deg", &mounting->laser_rad);
+  section.ReadOptional("individual", &mounting->individual);
 }
 
 void ReadOdometry(YamlSection* root, SynchroDriveOptions* drive) {
