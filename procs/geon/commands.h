@@ -18,6 +18,7 @@ void AddTeachCommand(CLI::App& app, int* exit_code);
 void AddStripeCommand(CLI::App& app, int* exit_code);
 void AddCalibrateCommand(CLI::App& app, int* exit_code);
 void AddRecognizeCommand(CLI::App& app, int* exit_code);
+void AddLogCommand(CLI::App& app, int* exit_code);
 void AddReplayCommand(CLI::App& app, int* exit_code);
 void AddReportCommand(CLI::App& app, int* exit_code);
 void AddWorldCommand(CLI::App& app, int* exit_code);

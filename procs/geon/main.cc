@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   geon::cli::AddStatusCommand(app, &exit_code);
   geon::cli::AddWatchCommand(app, &exit_code);
   geon::cli::AddRecognizeCommand(app, &exit_code);
+  geon::cli::AddLogCommand(app, &exit_code);
   geon::cli::AddReplayCommand(app, &exit_code);
   geon::cli::AddReportCommand(app, &exit_code);
   geon::cli::AddWorldCommand(app, &exit_code);
