@@ -66,10 +66,11 @@ StripePlacement PlaceStripes(const geometry::SensorRig& rig, const StripeTarget&
 
   const TargetPlane plane(rig, target);
   const std::optional<Eigen::Vector3d> p_PMiddle_m = plane.Point(0.5, 0.5);
-  // The B/W camera looks at the target's middle; each stripe then turns one axis away from that.
-  const HeadAngles aimed =
+  // The B/W camera looks at the target's middle; each stripe then turns one axis away from that,
+  // as far as the limits let it.
+  const HeadAngles aimed = limits.Clamp(
       p_PMiddle_m ? AimCamera(*p_PMiddle_m, rig.X_TB, target.head).value_or(target.head)
-                  : target.head;
+                  : target.head);
 
   StripePlacement placement;
   for (const double fraction : options.fractions_1) {

@@ -12,8 +12,12 @@ namespace {
 // do. Never beyond the limits.
 std::vector<double> Centers(double min_rad, double max_rad, double view_rad, double step_rad,
                             double limit_min_rad, double limit_max_rad) {
-  const double first_rad = std::min(min_rad + view_rad / 2.0, (min_rad + max_rad) / 2.0);
-  const double last_rad = std::max(max_rad - view_rad / 2.0, (min_rad + max_rad) / 2.0);
+  const double middle_rad = (min_rad + max_rad) / 2.0;
+  const bool one_will_do = max_rad - min_rad <= view_rad;
+  // The outermost views reach over the area's edge by half an overlap: a tilted view's edges are
+  // not straight in pan and tilt.
+  const double first_rad = one_will_do ? middle_rad : min_rad + step_rad / 2.0;
+  const double last_rad = one_will_do ? middle_rad : std::max(max_rad - step_rad / 2.0, first_rad);
   const int steps = static_cast<int>(std::ceil((last_rad - first_rad) / step_rad - 1e-9));
   std::vector<double> centers_rad;
   for (int k = 0; k <= steps; ++k) {

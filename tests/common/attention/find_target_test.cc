@@ -1,0 +1,140 @@
+#include "attention/find_target.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/contracts.h"
+
+namespace geon::attention {
+namespace {
+
+using sensor::PixelBox;
+
+// A grey picture to paint red boxes on.
+class Picture {
+ public:
+  Picture(int width_px, int height_px, sensor::PixelFormat format = sensor::PixelFormat::kBgr8) {
+    image_.width_px = width_px;
+    image_.height_px = height_px;
+    image_.row_stride_bytes = 3 * width_px + 5;  // rows are padded
+    image_.format = format;
+    image_.data.assign(static_cast<size_t>(image_.row_stride_bytes * height_px), 90);
+  }
+  Picture& Paint(const PixelBox& box, const Rgb& color) {
+    for (int v = box.v_px; v < box.v_px + box.h_px; ++v) {
+      for (int u = box.u_px; u < box.u_px + box.w_px; ++u) {
+        uint8_t* pixel = &image_.data[static_cast<size_t>(v * image_.row_stride_bytes + 3 * u)];
+        const bool rgb = image_.format == sensor::PixelFormat::kRgb8;
+        pixel[rgb ? 0 : 2] = color.red;
+        pixel[1] = color.green;
+        pixel[rgb ? 2 : 0] = color.blue;
+      }
+    }
+    return *this;
+  }
+  const sensor::Image& image() const { return image_; }
+
+ private:
+  sensor::Image image_;
+};
+
+constexpr Rgb kRed{160, 40, 40};
+
+TargetSighting FindRed(const Picture& picture, const AttentionOptions& options = {}) {
+  return FindTarget(picture.image(), *NamedColorModel("super-red"), options);
+}
+
+TEST(FindTargetTest, BoxIsTheTargetsLessTheErodedRim) {
+  const auto sighting = FindRed(Picture(100, 80).Paint({20, 30, 22, 12}, kRed));
+  ASSERT_TRUE(sighting.target);
+  EXPECT_EQ(sighting.target->box, (PixelBox{21, 31, 20, 10}));
+  EXPECT_EQ(sighting.target->pixels, 200);
+  EXPECT_EQ(sighting.color_pixels, 22 * 12);
+  EXPECT_NEAR(sighting.target->center_px.x(), 30.5, 1e-9);
+  EXPECT_NEAR(sighting.target->center_px.y(), 35.5, 1e-9);
+  EXPECT_NEAR(sighting.bottom_px.x(), 30.5, 1e-9);
+  EXPECT_NEAR(sighting.bottom_px.y(), 40.0, 1e-9);
+  EXPECT_FALSE(sighting.touched.any());
+  EXPECT_EQ(std::count(sighting.mask.begin(), sighting.mask.end(), 255), 200);
+  EXPECT_EQ(sighting.mask[35 * 100 + 30], 255);
+}
+
+TEST(FindTargetTest, ChannelOrderFollowsTheFormat) {
+  EXPECT_TRUE(
+      FindRed(Picture(64, 64, sensor::PixelFormat::kRgb8).Paint({20, 20, 20, 20}, kRed)).target);
+  EXPECT_FALSE(FindRed(Picture(64, 64).Paint({20, 20, 20, 20}, {40, 40, 160})).target);
+}
+
+TEST(FindTargetTest, LargestBlobWinsAndAllAreListedBySize) {
+  const auto sighting = FindRed(Picture(200, 100)
+                                    .Paint({10, 10, 20, 20}, kRed)
+                                    .Paint({60, 10, 40, 40}, kRed)
+                                    .Paint({150, 10, 10, 10}, kRed));
+  ASSERT_EQ(sighting.blobs.size(), 3U);
+  EXPECT_EQ(sighting.target->box, (PixelBox{61, 11, 38, 38}));
+  EXPECT_EQ(sighting.blobs[1].pixels, 18 * 18);
+  EXPECT_EQ(sighting.blobs[2].pixels, 8 * 8);
+}
+
+TEST(FindTargetTest, SpecksAndLinesThinnerThanThreePixelsAreEroded) {
+  const auto sighting =
+      FindRed(Picture(100, 100).Paint({10, 0, 2, 100}, kRed).Paint({50, 50, 2, 2}, kRed));
+  EXPECT_EQ(sighting.color_pixels, 204);
+  EXPECT_TRUE(sighting.blobs.empty());
+  EXPECT_FALSE(sighting.target);
+  EXPECT_EQ(std::count(sighting.mask.begin(), sighting.mask.end(), 0), 100 * 100);
+}
+
+TEST(FindTargetTest, FourNeighborErosionSparesPixelsWithOnlyDiagonalBackground) {
+  AttentionOptions four;
+  four.erosion_neighbors = 4;
+  four.min_target_pixels = 1;
+  AttentionOptions eight = four;
+  eight.erosion_neighbors = 8;
+  const Picture hole = Picture(50, 50).Paint({10, 10, 21, 21}, kRed).Paint({20, 20, 1, 1}, {});
+  EXPECT_EQ(FindRed(hole, four).target->pixels, 19 * 19 - 5);
+  EXPECT_EQ(FindRed(hole, eight).target->pixels, 19 * 19 - 9);
+}
+
+TEST(FindTargetTest, TargetThatLeavesTheImageTouchesItsEdges) {
+  const auto sighting = FindRed(Picture(100, 80).Paint({60, 40, 40, 40}, kRed));
+  EXPECT_TRUE(sighting.touched.right);
+  EXPECT_TRUE(sighting.touched.bottom);
+  EXPECT_FALSE(sighting.touched.left);
+  EXPECT_FALSE(sighting.touched.top);
+  EXPECT_EQ(sighting.target->box, (PixelBox{61, 41, 39, 39}));
+}
+
+TEST(FindTargetTest, BlobSmallerThanAGeonIsNoTarget) {
+  AttentionOptions options;
+  options.min_target_pixels = 100;
+  const Picture picture = Picture(100, 80).Paint({20, 30, 11, 11}, kRed);
+  EXPECT_FALSE(FindRed(picture, options).target);
+  EXPECT_EQ(FindRed(picture, options).blobs.size(), 1U);
+  options.min_target_pixels = 81;
+  EXPECT_TRUE(FindRed(picture, options).target);
+}
+
+TEST(FindTargetTest, ClippedPixelsAreCountedInsideTheBoxOnly) {
+  const auto sighting = FindRed(Picture(100, 80)
+                                    .Paint({20, 30, 22, 12}, kRed)
+                                    .Paint({25, 35, 4, 2}, {255, 250, 251})
+                                    .Paint({80, 10, 5, 5}, {255, 255, 255}));
+  EXPECT_EQ(sighting.clipped_pixels, 8);
+}
+
+TEST(FindTargetTest, BrokenContractsThrow) {
+  Picture picture(10, 10);
+  AttentionOptions options;
+  options.erosion_neighbors = 6;
+  EXPECT_THROW(FindRed(picture, options), ContractViolation);
+  sensor::Image short_of_data = picture.image();
+  short_of_data.data.pop_back();
+  EXPECT_THROW(FindTarget(short_of_data, *NamedColorModel("super-red")), ContractViolation);
+  short_of_data.format = sensor::PixelFormat::kGray8;
+  EXPECT_THROW(FindTarget(short_of_data, *NamedColorModel("super-red")), ContractViolation);
+}
+
+}  // namespace
+}  // namespace geon::attention
