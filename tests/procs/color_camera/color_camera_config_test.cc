@@ -1,0 +1,60 @@
+#include "procs/color_camera/color_camera_config.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace geon::color_camera {
+namespace {
+
+std::string InstalledFile() {
+  std::ifstream file(std::string(GEON_SOURCE_DIR) + "/scripts/config/robot.yaml");
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Result<ColorCameraConfig> Load(const std::string& text, Role role,
+                               const ColorCameraFlags& flags = {}) {
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / "geon_color_camera_config_test.yaml";
+  std::ofstream(path) << text;
+  config::DaemonArguments arguments("geon-color-camera", "test", "test");
+  arguments.config_file = path;
+  auto config = LoadColorCameraConfig(arguments, role, flags);
+  std::filesystem::remove(path);
+  return config;
+}
+
+TEST(ColorCameraConfig, TheInstalledFileIsGoodForBothCameras) {
+  const auto head = Load(InstalledFile(), Role::kHead);
+  ASSERT_TRUE(head.ok()) << head.message();
+  EXPECT_EQ(head->source.width_px, 640);
+  EXPECT_EQ(head->encoding, sensor::PixelFormat::kBgr8);
+  EXPECT_EQ(head->source.controls.exposure_s, 0.010);
+  EXPECT_EQ(head->source.controls.white_balance_k, 4000);
+  const auto floor = Load(InstalledFile(), Role::kFloor);
+  ASSERT_TRUE(floor.ok()) << floor.message();
+  EXPECT_EQ(floor->source.width_px, 320);
+}
+
+TEST(ColorCameraConfig, FlagsWin) {
+  const auto config = Load(InstalledFile(), Role::kHead, {"video:x.avi", "jpeg"});
+  ASSERT_TRUE(config.ok()) << config.message();
+  EXPECT_EQ(config->source.source, "video:x.avi");
+  EXPECT_EQ(config->encoding, sensor::PixelFormat::kJpeg);
+}
+
+TEST(ColorCameraConfig, BadValuesAreRefusedByName) {
+  std::string text = InstalledFile();
+  const std::string good = "power_line_hz: 50";
+  text.replace(text.find(good), good.size(), "power_line_hz: 55");
+  const auto config = Load(text, Role::kHead);
+  ASSERT_FALSE(config.ok());
+  EXPECT_NE(config.message().find("power_line_hz"), std::string::npos) << config.message();
+}
+
+}  // namespace
+}  // namespace geon::color_camera
