@@ -164,7 +164,7 @@ std::optional<NomadFrame> NomadEmulator::ExecuteMotion(const NomadFrame& frame) 
   const auto type = static_cast<NomadType>(frame.type);
   const auto& payload = frame.payload;
   if (type == NomadType::kMoveServos) {
-    for (const size_t offset : {0, 4, 8}) {
+    for (const size_t offset : {0u, 4u, 8u}) {
       if (NomadUnsigned(payload, offset) > static_cast<int>(ServoMode::kAbsolute)) return Nak();
     }
     MoveServos(payload);
