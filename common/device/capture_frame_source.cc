@@ -260,7 +260,8 @@ Result<std::optional<sensor::Image>> CaptureFrameSource::Poll(double time_s) {
   }
   const bool silent = time_s - last_frame_s_ >= options_.timeout_s;
   if (ended || silent) {
-    if (trouble_.empty()) trouble_ = "no frame for " + std::to_string(options_.timeout_s) + " s";
+    if (trouble_.empty())
+      trouble_ = "no frame for " + std::to_string(std::lround(1e3 * options_.timeout_s)) + " ms";
     Abandon();
     back_off_.Failed(time_s);
     if (!image) return Status::Error(target_ + ": " + trouble_);

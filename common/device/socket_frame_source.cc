@@ -2,6 +2,7 @@
 
 #include <zmq.h>
 
+#include <cmath>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -98,8 +99,9 @@ Result<std::optional<sensor::Image>> SocketFrameSource::Poll(double time_s) {
   }
   if (!timed_out_) watch_.Reset();  // who publishes next may have another clock
   timed_out_ = true;
-  return Status::Error(endpoint_ + ": no fresh frame for " + std::to_string(options_.timeout_s) +
-                       " s" + (trouble.ok() ? "" : " (" + trouble.message() + ")"));
+  return Status::Error(endpoint_ + ": no fresh frame for " +
+                       std::to_string(std::lround(1e3 * options_.timeout_s)) + " ms" +
+                       (trouble.ok() ? "" : " (" + trouble.message() + ")"));
 }
 
 Result<std::optional<sensor::Image>> SocketFrameSource::ReceiveOne() {

@@ -10,7 +10,7 @@
 namespace geon::stripe_camera {
 
 struct StripeProofOptions {
-  double min_peak_level = 20.0;      // grey levels above the unlit frame
+  double min_peak_level = 12.0;      // grey levels above the unlit frame
   double min_peak_to_noise_1 = 6.0;  // and in units of the difference's noise
   int min_lit_lines = 24;            // columns (rows for the vertical laser) that reach it
 };
