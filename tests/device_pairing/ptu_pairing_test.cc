@@ -114,7 +114,9 @@ TEST_F(PtuPairingTest, AStalledHeadIsResetAndLooksThereAgain) {
 
 TEST(PtuPairingResetTest, AResetThatEndsWithABareStarKeepsTheAnswersInStep) {
   for (const bool with_line_end : {true, false}) {
-    sim::PtuEmulator unit({.reset_ends_with_newline = with_line_end});
+    sim::PtuEmulatorOptions options;
+    options.reset_ends_with_newline = with_line_end;
+    sim::PtuEmulator unit(options);
     device::PtuDriver driver({.reset_at_start = true});
     PairedLine<device::PtuDriver> line(&driver, &unit);
     driver.SetTarget({0.4, -0.2, 0.0, 1});
@@ -132,7 +134,9 @@ TEST(PtuPairingResetTest, AResetThatEndsWithABareStarKeepsTheAnswersInStep) {
 }
 
 TEST(PtuPairingResetTest, AUnitThatStillHuntsAtPowerUpIsWaitedFor) {
-  sim::PtuEmulator unit({.starts_with_reset = true});
+  sim::PtuEmulatorOptions options;
+  options.starts_with_reset = true;
+  sim::PtuEmulator unit(options);
   device::PtuDriver driver;
   PairedLine<device::PtuDriver> line(&driver, &unit);
   EXPECT_TRUE(line.RunUntil([&] { return driver.report().status == DeviceStatus::kReady; }, 90.0))
