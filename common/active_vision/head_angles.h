@@ -2,6 +2,8 @@
 
 namespace geon::active_vision {
 
+// Source: thesis section 3.3 (the pan-tilt unit) and the PTU-46-17.5 manual (limits).
+//
 // Where the head looks. Positive pan looks left, positive tilt looks up.
 struct HeadAngles {
   double pan_rad = 0.0;

@@ -8,6 +8,8 @@
 
 namespace geon::active_vision {
 
+// Source: thesis section 4.2.4, derived from rigid transforms where 4.34-4.47 use single angles.
+//
 // The smallest turn about one axis that brings a point into a plane the head carries, such as a
 // laser's, or one of the two planes through a camera's optical axis. In closed form: the plane's
 // equation is a cos + b sin = c in the angle. Nothing when the plane passes the point by.

@@ -8,6 +8,8 @@
 
 namespace geon::attention {
 
+// Source: thesis section 4.1.2 for the half-spaces; the file format is ours.
+//
 // The file format geon.color_model.v1: a small YAML, one "key: value" a line, # for comments.
 // Either a learned colour
 //

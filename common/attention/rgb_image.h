@@ -6,6 +6,8 @@
 
 namespace geon::attention {
 
+// Source: thesis section 4.1.1, the RGB representation of an image.
+//
 // Read access to the pixels of a kRgb8 or kBgr8 image, whichever way its channels are ordered.
 // Throws ContractViolation for other formats and for data that does not fit the size. The image
 // must outlive it.

@@ -9,6 +9,8 @@
 
 namespace geon::geons {
 
+// Source: none needed; the divergence theorem gives the volume.
+//
 // A surface of triangles. Corners are counter-clockwise seen from outside; normals (unit, outward)
 // belong to vertices, so that a smooth surface shades smoothly.
 struct TriangleMesh {

@@ -19,6 +19,8 @@ struct ObstacleMemoryOptions {
   bool IsValid(std::string* error) const;
 };
 
+// Source: thesis section 4.3 keeps no memory; this one is ours, for the reason below.
+//
 // Obstacle points in the odometry frame W, for some seconds: the floor camera cannot see what is
 // beside, behind or just below it, and sonar readings are up to a second old.
 //

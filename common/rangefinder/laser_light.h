@@ -4,6 +4,8 @@
 
 namespace geon::rangefinder {
 
+// Source: thesis section 3.1.1 (optical filter) and 3.2 (averaged frames); errata to 3.6
+// (difference).
 enum class LaserColor { kMono, kRed, kGreen };
 
 struct LaserLightOptions {

@@ -5,6 +5,8 @@
 
 namespace geon::rangefinder {
 
+// Source: ours; thesis section 3.1.1 assumes one unbroken stripe.
+//
 // A bright spot in one column (row) that may be the stripe.
 struct PeakCandidate {
   int line = 0;              // the column (row)

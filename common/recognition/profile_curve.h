@@ -8,6 +8,7 @@
 
 namespace geon::recognition {
 
+// Source: thesis sections 5.3 and 5.4, figures 5.5 and 5.10.
 struct SegmentOptions {
   // Two neighbouring points further apart than this belong to two segments, whether pixels are
   // missing between them or not. More than what a grazing surface or a dark fleck leaves, less than

@@ -7,6 +7,8 @@
 
 namespace geon::recognition {
 
+// Source: thesis sections 5.4 and 5.5, figures 5.12 and 5.15.
+//
 // The two end points of one stripe on the target, which lie on the geon's outline (section 5.4), in
 // the axes of the B/W camera at the scan's own attitude: x right, y down, z forward, metres.
 struct ProfileEnds {

@@ -13,6 +13,8 @@
 
 namespace geon::recognition {
 
+// Source: thesis section 5.3.
+//
 // How corners, curves and lines are found (section 5.3). The thesis compared the three and kept
 // O'Gorman's.
 enum class CurvatureMethod { kOGorman, kRamer, kWall };

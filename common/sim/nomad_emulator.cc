@@ -25,44 +25,6 @@ RingPose TurretPose(const SynchroDrive& drive) {
   return {drive.center_W_m(), drive.turret_W_rad()};
 }
 
-size_t PayloadSize(NomadType type) {
-  switch (type) {
-    case NomadType::kAcceleration:
-    case NomadType::kSpeed:
-    case NomadType::kMoveRelative:
-    case NomadType::kMoveAbsolute:
-    case NomadType::kVelocity:
-      return 6;
-    case NomadType::kMask:
-      return 7;
-    case NomadType::kDefinePosition:
-    case NomadType::kDefineAngles:
-    case NomadType::kWaitStop:
-      return 4;
-    case NomadType::kConfigureInfrared:
-    case NomadType::kConfigureSonar:
-      return 17;
-    case NomadType::kConfigureCompass:
-    case NomadType::kConfigureTimeout:
-      return 1;
-    case NomadType::kConfigureLaser:
-      return 6;
-    case NomadType::kConfigureScan:
-      return 3;
-    case NomadType::kMoveServos:
-      return 12;
-    default:
-      return 0;
-  }
-}
-
-// Whether the payload is as long as its command wants it. What is said aloud may be of any length.
-bool WellFormed(const NomadFrame& frame) {
-  const auto type = static_cast<NomadType>(frame.type);
-  if (type == NomadType::kTalk) return !frame.payload.empty() && frame.payload.back() == 0;
-  return frame.payload.size() == PayloadSize(type);
-}
-
 NomadFrame Nak() { return {static_cast<uint8_t>(NomadType::kNak), {}}; }
 
 }  // namespace

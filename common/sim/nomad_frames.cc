@@ -90,4 +90,45 @@ std::vector<NomadFrame> NomadFrameReader::Push(uint8_t byte) {
   return frames;
 }
 
+namespace {
+
+size_t PayloadSize(NomadType type) {
+  switch (type) {
+    case NomadType::kAcceleration:
+    case NomadType::kSpeed:
+    case NomadType::kMoveRelative:
+    case NomadType::kMoveAbsolute:
+    case NomadType::kVelocity:
+      return 6;
+    case NomadType::kMask:
+      return 7;
+    case NomadType::kDefinePosition:
+    case NomadType::kDefineAngles:
+    case NomadType::kWaitStop:
+      return 4;
+    case NomadType::kConfigureInfrared:
+    case NomadType::kConfigureSonar:
+      return 17;
+    case NomadType::kConfigureCompass:
+    case NomadType::kConfigureTimeout:
+      return 1;
+    case NomadType::kConfigureLaser:
+      return 6;
+    case NomadType::kConfigureScan:
+      return 3;
+    case NomadType::kMoveServos:
+      return 12;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace
+
+bool WellFormed(const NomadFrame& frame) {
+  const auto type = static_cast<NomadType>(frame.type);
+  if (type == NomadType::kTalk) return !frame.payload.empty() && frame.payload.back() == 0;
+  return frame.payload.size() == PayloadSize(type);
+}
+
 }  // namespace geon::sim

@@ -46,6 +46,9 @@ struct NomadFrame {
   std::vector<uint8_t> payload;
 };
 
+// Whether the payload is as long as its command wants it. What is said aloud may be of any length.
+bool WellFormed(const NomadFrame& frame);
+
 // 0x01 | length lo hi | type | payload | checksum | 0x5C.
 std::vector<uint8_t> EncodeNomadFrame(const NomadFrame& frame);
 

@@ -115,7 +115,8 @@ PtuReply SetTable(const PtuCommand& command, const Subject& subject, PtuUnit& un
       break;
     default:
       field = &settings.upper_speed;
-      check = CheckSpeed(value, settings.lower_speed, unit.options().highest_upper_speed, subject);
+      check = CheckSpeed(value, settings.lower_speed, unit.options().highest_upper_speed_counts_s,
+                         subject);
       if (value > *field) reply.table_time_s = unit.options().upper_speed_time_s;
       break;
   }

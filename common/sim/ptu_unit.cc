@@ -9,8 +9,10 @@ namespace geon::sim {
 
 PtuUnit::PtuUnit(const PtuUnitOptions& options)
     : options_(options),
-      axes_{PtuAxis(options.pan_minimum, options.pan_maximum, options.stop_margin),
-            PtuAxis(options.tilt_minimum, options.tilt_maximum, options.stop_margin)} {}
+      axes_{PtuAxis(options.pan_minimum_counts, options.pan_maximum_counts,
+                    options.stop_margin_counts),
+            PtuAxis(options.tilt_minimum_counts, options.tilt_maximum_counts,
+                    options.stop_margin_counts)} {}
 
 void PtuUnit::ApplyAxisSettings() {
   for (const PtuAxisId id : kPtuAxes) axis(id).settings = axis_settings(id);
@@ -86,11 +88,11 @@ void PtuUnit::EnterResetStep(ResetStep step) {
   switch (step) {
     case ResetStep::kTiltDown:
     case ResetStep::kTiltUp:
-      axis(PtuAxisId::kTilt).HuntStop(step == ResetStep::kTiltUp, options_.reset_speed);
+      axis(PtuAxisId::kTilt).HuntStop(step == ResetStep::kTiltUp, options_.reset_speed_counts_s);
       break;
     case ResetStep::kPanRight:
     case ResetStep::kPanLeft:
-      axis(PtuAxisId::kPan).HuntStop(step == ResetStep::kPanLeft, options_.reset_speed);
+      axis(PtuAxisId::kPan).HuntStop(step == ResetStep::kPanLeft, options_.reset_speed_counts_s);
       break;
     case ResetStep::kHome:
       ApplyAxisSettings();

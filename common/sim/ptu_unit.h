@@ -9,14 +9,14 @@
 namespace geon::sim {
 
 struct PtuUnitOptions {
-  double resolution_arcsec = 185.1428;             // of one count, both axes
-  double pan_minimum = -3090, pan_maximum = 3090;  // counts, found at reset
-  double tilt_minimum = -907, tilt_maximum = 604;
-  double stop_margin = 30;            // counts from a bound to the hard stop
-  double highest_upper_speed = 5833;  // counts/s: the data sheet's 300 deg/s
-  double reset_speed = 1500;          // counts/s while hunting for the stops
-  double table_time_s = 0.8;          // to recompute the speed tables (xA, xB, xL, lowering xU)
-  double upper_speed_time_s = 6.0;    // to raise xU
+  double resolution_arcsec = 185.1428;                           // of one count, both axes
+  double pan_minimum_counts = -3090, pan_maximum_counts = 3090;  // counts, found at reset
+  double tilt_minimum_counts = -907, tilt_maximum_counts = 604;
+  double stop_margin_counts = 30;              // counts from a bound to the hard stop
+  double highest_upper_speed_counts_s = 5833;  // counts/s: the data sheet's 300 deg/s
+  double reset_speed_counts_s = 1500;          // counts/s while hunting for the stops
+  double table_time_s = 0.8;        // to recompute the speed tables (xA, xB, xL, lowering xU)
+  double upper_speed_time_s = 6.0;  // to raise xU
 };
 
 enum class PtuAxisId { kPan = 0, kTilt = 1 };
