@@ -94,13 +94,15 @@ class HeaderReader {
   Status status_;
 };
 
-Status CheckMonotone(const LookUpTable& table) {
+Status CheckPositions(const LookUpTable& table) {
+  bool any = false;
   for (int line = 0; line < table.lines(); ++line) {
     double previous_px = std::numeric_limits<double>::quiet_NaN();
     double direction = 0.0;
     for (int k = 0; k < table.distances; ++k) {
       const double position_px = table.PositionAt(line, k);
       if (std::isnan(position_px)) continue;
+      any = true;
       const double change = position_px - previous_px;
       if (change * direction < 0.0 || change == 0.0) {
         return Status::Error("not a sound " + std::string(kFormat) + " file: line " +
@@ -111,7 +113,7 @@ Status CheckMonotone(const LookUpTable& table) {
       previous_px = position_px;
     }
   }
-  return Status::Ok();
+  return any ? Status::Ok() : Status::Error("an empty " + std::string(kFormat) + " file");
 }
 
 }  // namespace
@@ -197,7 +199,7 @@ Result<LookUpTable> ParseLookUpTable(const std::string& bytes) {
     table.position_px[i] = number == kNoPosition ? std::numeric_limits<double>::quiet_NaN()
                                                  : offset_px + number * step_px;
   }
-  const Status monotone = CheckMonotone(table);
+  const Status monotone = CheckPositions(table);
   if (!monotone.ok()) return monotone;
   return table;
 }
