@@ -1,0 +1,29 @@
+#include "procs/geon/recognition_arguments.h"
+
+namespace geon::cli {
+
+void AddRecognitionArguments(CLI::App& command, RecognitionArguments* arguments) {
+  command
+      .add_option("--method", arguments->method,
+                  "thesis: evidence and decision tree of chapter 5 (the default)")
+      ->check(CLI::IsMember({"thesis"}));
+  command
+      .add_option("--curvature", arguments->curvature,
+                  "corners and curves by O'Gorman's, Ramer's or Wall's method (section 5.3)")
+      ->check(CLI::IsMember({"ogorman", "ramer", "wall"}));
+  command.add_option("--smoothing", arguments->smoothing, "of the profiles (section 5.1)")
+      ->check(CLI::IsMember({"median", "gaussian", "none"}));
+}
+
+recognition::RecognitionOptions ToOptions(const RecognitionArguments& arguments,
+                                          recognition::RecognitionOptions base) {
+  if (const auto curvature = recognition::CurvatureMethodFromString(arguments.curvature)) {
+    base.curvature = *curvature;
+  }
+  if (const auto smoothing = recognition::SmoothingFromString(arguments.smoothing)) {
+    base.smoothing.kind = *smoothing;
+  }
+  return base;
+}
+
+}  // namespace geon::cli

@@ -1,0 +1,22 @@
+#include "procs/geon/verdict_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geon::cli {
+
+std::string PlainName(GeonLabel label) {
+  std::string name(ToString(label));
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string VerdictText(const sensor::GeonVerdict& verdict) {
+  std::string text = PlainName(verdict.label) + " (confidence " +
+                     std::to_string(std::lround(100.0 * verdict.confidence)) + " %" +
+                     (verdict.decided ? "" : ", a guess: not enough profiles") + ")\n";
+  for (const std::string& reason : verdict.reasons) text += "  " + reason + "\n";
+  return text;
+}
+
+}  // namespace geon::cli
