@@ -3,6 +3,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 #include <zmq.hpp>
@@ -21,7 +22,17 @@ constexpr std::chrono::milliseconds kSubscriberInterval(20);
 }  // namespace
 
 struct FramePublisher::Sockets {
+  Sockets() = default;
+  Sockets(const Sockets&) = delete;
+  Sockets& operator=(const Sockets&) = delete;
+  ~Sockets() {
+    publishers.clear();
+    std::error_code ignored;  // ZeroMQ leaves the files behind
+    for (const std::filesystem::path& file : files) std::filesystem::remove(file, ignored);
+  }
+
   zmq::context_t context{1};
+  std::vector<std::filesystem::path> files;
   std::vector<zmq::socket_t> publishers;
   std::array<int, sim::kCameras.size()> subscribers{};
 
@@ -51,6 +62,7 @@ Result<std::unique_ptr<FramePublisher>> FramePublisher::Open(
       socket.set(zmq::sockopt::xpub_verboser, 1);
       socket.bind(address);
       sockets->publishers.push_back(std::move(socket));
+      sockets->files.push_back(file);
     } catch (const zmq::error_t& error) {
       return Status::Error(address + ": " + error.what() +
                            " (is the run directory's path too long, or not writable?)");

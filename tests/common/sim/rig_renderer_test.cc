@@ -1,0 +1,192 @@
+#include "sim/rig_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "base/angles.h"
+#include "tests/common/sim/scene_testing.h"
+
+namespace geon::sim {
+namespace {
+
+int At(const Frame& frame, int u, int v, int channel = 0) {
+  return frame.pixels[static_cast<size_t>((v * frame.width_px + u) * frame.channels + channel)];
+}
+
+// Centroid of lit minus unlit along a column (or row) in a window round its brightest pixel,
+// written for this test alone. NaN where nothing shines.
+std::vector<double> StripeCentroids(const Frame& lit, const Frame& unlit, bool horizontal) {
+  std::vector<double> centroids;
+  const int lines = horizontal ? lit.width_px : lit.height_px;
+  const int length = horizontal ? lit.height_px : lit.width_px;
+  for (int line = 0; line < lines; ++line) {
+    const auto level = [&](int k) {
+      const int u = horizontal ? line : k, v = horizontal ? k : line;
+      return std::max(0, At(lit, u, v) - At(unlit, u, v));
+    };
+    int peak = 0;
+    for (int k = 1; k < length; ++k) {
+      if (level(k) > level(peak)) peak = k;
+    }
+    if (level(peak) < 30) {
+      centroids.push_back(std::nan(""));
+      continue;
+    }
+    double sum = 0.0, moment = 0.0;
+    for (int k = std::max(0, peak - 6); k <= std::min(length - 1, peak + 6); ++k) {
+      sum += level(k);
+      moment += level(k) * k;
+    }
+    centroids.push_back(moment / sum);
+  }
+  return centroids;
+}
+
+// RMS of what is left after a straight line is fitted.
+double StraightnessRms(const std::vector<double>& y) {
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (size_t k = 0; k < y.size(); ++k) {
+    if (std::isnan(y[k])) continue;
+    const auto x = static_cast<double>(k);
+    n += 1, sx += x, sy += y[k], sxx += x * x, sxy += x * y[k];
+  }
+  const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx), offset = (sy - slope * sx) / n;
+  double squares = 0;
+  for (size_t k = 0; k < y.size(); ++k) {
+    if (!std::isnan(y[k])) squares += std::pow(y[k] - offset - slope * static_cast<double>(k), 2);
+  }
+  return std::sqrt(squares / n);
+}
+
+class StripeOnBoardTest : public ::testing::TestWithParam<double> {};
+
+TEST_P(StripeOnBoardTest, IsAsStraightAsOnARealRigAndNoStraighter) {
+  RigRenderer renderer(SceneFrom(""), TestRig(), RendererOptions(), 4);
+  const RigPose pose;
+  renderer.SetScene(BoardScene(renderer.StripeCameraPose(pose), GetParam()));
+  const Frame unlit = renderer.HeadBw(pose, {}, 1);
+  for (const bool horizontal : {true, false}) {
+    const Frame lit = renderer.HeadBw(pose, {horizontal ? 1.0 : 0.0, horizontal ? 0.0 : 1.0}, 2);
+    const double rms_px = StraightnessRms(StripeCentroids(lit, unlit, horizontal));
+    RecordProperty("rms_px", std::to_string(rms_px));
+    EXPECT_GE(rms_px, 0.05) << "horizontal " << horizontal;
+    EXPECT_LE(rms_px, 0.11) << "horizontal " << horizontal;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Distances, StripeOnBoardTest, ::testing::Values(0.7, 1.0, 1.5, 2.0));
+
+TEST(RigRendererTest, StripeLiesWhereTheFanMeetsTheBoard) {
+  RigRenderer renderer(SceneFrom(""), TestRig(), WithoutMountingErrors(), 1);
+  const RigPose pose;
+  for (const double z_m : {0.75, 1.037, 1.6}) {
+    renderer.SetScene(BoardScene(renderer.StripeCameraPose(pose), z_m));
+    const auto v_px =
+        StripeCentroids(renderer.HeadBw(pose, {1, 0}, 1), renderer.HeadBw(pose, {}, 2), true);
+    // Similar triangles: the fan starts 0.125 m above the axis and crosses it at 1.037 m.
+    const double expected_px = 239.5 - 1600.0 * 0.125 * (1.0 / z_m - 1.0 / 1.037);
+    EXPECT_NEAR(std::accumulate(v_px.begin() + 100, v_px.begin() + 500, 0.0) / 400, expected_px,
+                0.05);
+  }
+}
+
+TEST(RigRendererTest, LaserThatBurnsForPartOfTheExposureIsFainter) {
+  RigRenderer renderer(SceneFrom(""), TestRig(), WithoutMountingErrors(), 1);
+  const RigPose pose;
+  renderer.SetScene(BoardScene(renderer.StripeCameraPose(pose), 1.3));
+  const auto total = [&](double fraction_1, int64_t seq) {
+    const Frame frame = renderer.HeadBw(pose, {fraction_1, 0}, seq);
+    return std::accumulate(frame.pixels.begin(), frame.pixels.end(), 0.0);
+  };
+  const double dark = total(0.0, 1);
+  EXPECT_NEAR((total(0.4, 2) - dark) / (total(1.0, 3) - dark), 0.4, 0.03);
+}
+
+TEST(RigRendererTest, GeonShadowsTheLaserOnTheFloorBehindIt) {
+  const std::string box =
+      "  - {box: [0.2, 0.2, 0.3], x_m: 1.5, y_m: 1.75, color_rgb: [150, 40, 40]}\n";
+  RigPose pose;
+  pose.X_WR = geometry::PlanarPose(1.5, 0.6, kPi / 2);
+  pose.tilt_rad = RadiansFromDegrees(-25);
+  RigRenderer renderer(SceneFrom(box), TestRig(), WithoutMountingErrors(), 1);
+  const Frame unlit = renderer.HeadBw(pose, {}, 1);
+  // The vertical laser stands to the left: its stripe on the floor behind the box is cut where the
+  // box stands in its way, though the camera would see it there.
+  const auto u_px = StripeCentroids(renderer.HeadBw(pose, {0, 1}, 2), unlit, false);
+  int gaps = 0, shown = 0;
+  for (double u : u_px) (std::isnan(u) ? gaps : shown)++;
+  EXPECT_GT(shown, 200);
+  EXPECT_GT(gaps, 10);
+  renderer.SetScene(SceneFrom(""));
+  const auto free_px =
+      StripeCentroids(renderer.HeadBw(pose, {0, 1}, 2), renderer.HeadBw(pose, {}, 1), false);
+  int free_gaps = 0;
+  for (double u : free_px) free_gaps += std::isnan(u) ? 1 : 0;
+  EXPECT_LT(free_gaps, gaps);
+}
+
+TEST(RigRendererTest, PaintedGeonPassesTheThesisColourRules) {
+  RigPose pose;
+  pose.X_WR = geometry::PlanarPose(1.5, 0.6, kPi / 2);
+  pose.tilt_rad = RadiansFromDegrees(-25);
+  RigRenderer renderer(
+      SceneFrom("  - {geon: tapered_cylinder, size_m: [0.2, 0.2, 0.26], x_m: 1.5, y_m: 1.75}\n"),
+      TestRig(), WithoutMountingErrors(), 1);
+  const Frame frame = renderer.HeadColor(pose, 1);
+  int super_red = 0, thesis_lab = 0, both = 0;
+  for (int v = 0; v < frame.height_px; ++v) {
+    for (int u = 0; u < frame.width_px; ++u) {
+      const double b = At(frame, u, v, 0), g = At(frame, u, v, 1), r = At(frame, u, v, 2);
+      const bool is_red = r >= b + g + 20;
+      const bool is_lab = b < 0.467 * r - 7 && b < 75 && r > 50 && b < 1.333 * g + 10 &&
+                          b > 1.333 * g - 86.7 && g < 115 && g < 0.639 * r - 12.78 &&
+                          g > 0.381 * r - 45.7;
+      super_red += is_red ? 1 : 0;
+      thesis_lab += is_lab ? 1 : 0;
+      both += is_red && is_lab ? 1 : 0;
+    }
+  }
+  EXPECT_GT(both, 20000);
+  EXPECT_GT(both, 0.97 * super_red);
+  EXPECT_GT(both, 0.97 * thesis_lab);
+}
+
+TEST(RigRendererTest, SameSeedSameBytesAndOtherSeedOthers) {
+  const std::string geon =
+      "  - {geon: bent_cylinder, size_m: [0.08, 0.08, 0.3], x_m: 1.5, y_m: 1.75}\n";
+  RigPose pose;
+  pose.X_WR = geometry::PlanarPose(1.5, 0.6, kPi / 2);
+  pose.tilt_rad = -0.4;
+  RigRenderer first(SceneFrom(geon), TestRig(), RendererOptions(), 7);
+  RigRenderer second(SceneFrom(geon), TestRig(), RendererOptions(), 7);
+  RigRenderer other(SceneFrom(geon), TestRig(), RendererOptions(), 8);
+  RigPose elsewhere = pose;
+  elsewhere.pan_rad = 0.3;
+  second.HeadBw(elsewhere, {0, 1}, 99);  // what was seen before must not matter
+  EXPECT_EQ(first.HeadBw(pose, {1, 0}, 3).pixels, second.HeadBw(pose, {1, 0}, 3).pixels);
+  EXPECT_EQ(first.HeadColor(pose, 3).pixels, second.HeadColor(pose, 3).pixels);
+  EXPECT_EQ(first.FloorColor(pose, 3).pixels, second.FloorColor(pose, 3).pixels);
+  EXPECT_NE(first.HeadColor(pose, 3).pixels, first.HeadColor(pose, 4).pixels);
+  EXPECT_NE(first.HeadBw(pose, {1, 0}, 3).pixels, other.HeadBw(pose, {1, 0}, 3).pixels);
+}
+
+TEST(RigRendererTest, FloorCameraSeesTheFloorInItsColour) {
+  RigPose pose;
+  pose.X_WR = geometry::PlanarPose(1.5, 1.0, kPi / 2);
+  RigRenderer renderer(SceneFrom(""), TestRig(), WithoutMountingErrors(), 1);
+  const Frame frame = renderer.FloorColor(pose, 1);
+  EXPECT_EQ(frame.width_px, 320);
+  double sums[3] = {0, 0, 0};
+  for (int v = 120; v < 200; ++v) {
+    for (int u = 100; u < 220; ++u) {
+      for (int c = 0; c < 3; ++c) sums[c] += At(frame, u, v, c) / 9600.0;
+    }
+  }
+  EXPECT_NEAR(sums[2], 143, 12);
+  EXPECT_NEAR(sums[0] / sums[2], 140.0 / 150.0, 0.01);
+}
+
+}  // namespace
+}  // namespace geon::sim
