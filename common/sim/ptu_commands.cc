@@ -80,8 +80,7 @@ PtuReply SetSpeed(const PtuCommand& command, const Subject& subject, PtuUnit& un
   }
   if (!(velocity_mode && speed == 0.0)) {
     const double magnitude = velocity_mode ? std::abs(speed) : speed;
-    const PtuReply check =
-        CheckSpeed(magnitude, settings.lower_speed, settings.upper_speed, subject);
+    PtuReply check = CheckSpeed(magnitude, settings.lower_speed, settings.upper_speed, subject);
     if (!check.ok) return check;
   }
   if (velocity_mode) {
@@ -228,7 +227,7 @@ PtuReply ExecuteMonitor(const PtuCommand& command, PtuUnit& unit) {
     return Done();
   }
   if (settings.velocity_mode) return IllegalCommand();
-  if (n.size() != 0 && n.size() != 2 && n.size() != 4) return IllegalArgument();
+  if (!n.empty() && n.size() != 2 && n.size() != 4) return IllegalArgument();
   for (size_t i = 0; i < n.size(); ++i) {
     const PtuAxis& axis = unit.axis(kPtuAxes[i / 2]);
     if (n[i] < axis.minimum() || n[i] > axis.maximum()) return IllegalArgument();

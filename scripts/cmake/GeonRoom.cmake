@@ -1,3 +1,17 @@
+# Headers that nearly every file parses, parsed once: the standard library's and Eigen's for the rooms and
+# programs, GoogleTest's on top for the tests. Files still include what they use.
+set(geon_common_headers <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <optional>
+  <span> <string> <string_view> <vector> <Eigen/Core> <Eigen/Geometry>)
+file(WRITE ${CMAKE_BINARY_DIR}/precompiled.cc "")
+add_library(geon_precompiled STATIC ${CMAKE_BINARY_DIR}/precompiled.cc)
+target_link_libraries(geon_precompiled PRIVATE geon_compiler Eigen3::Eigen)
+target_precompile_headers(geon_precompiled PRIVATE ${geon_common_headers})
+add_library(geon_precompiled_test STATIC ${CMAKE_BINARY_DIR}/precompiled.cc)
+target_link_libraries(geon_precompiled_test PRIVATE geon_compiler Eigen3::Eigen GTest::gtest
+  GTest::gmock)
+target_precompile_headers(geon_precompiled_test PRIVATE ${geon_common_headers} <gtest/gtest.h>
+  <gmock/gmock.h>)
+
 # Two groups to build: what runs, and the unit tests.
 add_custom_target(programs)
 add_custom_target(unit_tests)
@@ -13,6 +27,7 @@ function(geon_room NAME)
     add_library(geon_${NAME} STATIC ${sources})
     target_include_directories(geon_${NAME} PUBLIC ${CMAKE_SOURCE_DIR}/common)
     target_link_libraries(geon_${NAME} PUBLIC ${rooms} ${ROOM_LINK} PRIVATE geon_compiler)
+    target_precompile_headers(geon_${NAME} REUSE_FROM geon_precompiled)
   else()
     add_library(geon_${NAME} INTERFACE)
     target_include_directories(geon_${NAME} INTERFACE ${CMAKE_SOURCE_DIR}/common)
@@ -53,6 +68,7 @@ function(geon_program NAME)
     add_library(${NAME}-lib STATIC ${sources})
     target_include_directories(${NAME}-lib PUBLIC ${CMAKE_SOURCE_DIR})
     target_link_libraries(${NAME}-lib PUBLIC ${PROG_LINK} PRIVATE geon_compiler)
+    target_precompile_headers(${NAME}-lib REUSE_FROM geon_precompiled)
     target_link_libraries(${NAME} PRIVATE ${NAME}-lib)
     set(tests_name ${dir})
     if(TARGET geon_${dir})  # a room of that name: test_base is the room's, test_geon-base the program's
