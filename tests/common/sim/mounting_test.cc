@@ -11,8 +11,11 @@ namespace geon::sim {
 namespace {
 
 TEST(MountingTest, SameSeedSameRobot) {
-  const auto a = AsMounted(TestRig(), {}, 5), b = AsMounted(TestRig(), {}, 5),
-             c = AsMounted(TestRig(), {}, 6);
+  MountingErrorOptions fifth, sixth;
+  fifth.individual = 5;
+  sixth.individual = 6;
+  const auto a = AsMounted(TestRig(), fifth), b = AsMounted(TestRig(), fifth),
+             c = AsMounted(TestRig(), sixth);
   EXPECT_EQ(a.stripe_camera.fx_px, b.stripe_camera.fx_px);
   EXPECT_EQ(a.X_TB.matrix(), b.X_TB.matrix());
   EXPECT_NE(a.stripe_camera.fx_px, c.stripe_camera.fx_px);
@@ -20,11 +23,12 @@ TEST(MountingTest, SameSeedSameRobot) {
 
 TEST(MountingTest, ErrorsHaveTheStatedSize) {
   const geometry::SensorRig rig = TestRig();
-  const MountingErrorOptions options;
+  MountingErrorOptions options;
   double focal2 = 0, camera2_rad2 = 0, laser2_rad2 = 0;
   constexpr int kRobots = 400;
-  for (uint64_t seed = 0; seed < kRobots; ++seed) {
-    const geometry::SensorRig mounted = AsMounted(rig, options, seed);
+  for (int robot = 0; robot < kRobots; ++robot) {
+    options.individual = robot;
+    const geometry::SensorRig mounted = AsMounted(rig, options);
     focal2 += std::pow(mounted.stripe_camera.fx_px / 1600.0 - 1.0, 2) / kRobots;
     const Eigen::AngleAxisd turn(
         Eigen::Matrix3d(rig.X_TB.linear().transpose() * mounted.X_TB.linear()));
