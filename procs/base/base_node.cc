@@ -166,6 +166,7 @@ void BaseNode::StopRobot() {
     device::Pump(&link_, &driver_, now_s);
     link_.WaitReadable(kTurn_s);
   }
+  if (!link_.is_open()) return;
   if (!driver_.report().halted) {
     spdlog::warn("the base did not confirm the stop; its dead-man stops it in {} s",
                  config_.driver.dead_man_s);

@@ -39,7 +39,8 @@ std::optional<double> DriveGuard::PublicationTime(double time_s, int32_t seq) co
 }
 
 void DriveGuard::CommandArrived(double time_s, const sensor::BaseCommand& command) {
-  if (!std::isfinite(command.speed_m_s) || !std::isfinite(command.turn_rate_rad_s)) return;
+  if (!ready_ || !std::isfinite(command.speed_m_s) || !std::isfinite(command.turn_rate_rad_s))
+    return;
   if (last_seq_ && command.seq <= *last_seq_) {
     // Overtaken, unless its sender started anew: later by its own clock, and after a pause.
     const bool pause = time_s - last_arrival_s_ > options_.command_lifetime_s;

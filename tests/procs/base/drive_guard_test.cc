@@ -234,6 +234,8 @@ TEST_F(DriveGuardTest, ALostDeviceNeedsANewCommand) {
   Command(0.3);
   guard_.DeviceReady(false);
   EXPECT_EQ(Decide().stop, BaseStop::kDeviceLost);
+  Command(0.3);
+  EXPECT_EQ(guard_.command_id(), 1) << "not taken while lost";
   guard_.DeviceReady(true);
   EXPECT_FALSE(Decide().moves());
 }
