@@ -111,12 +111,13 @@ def main():
     with Run(folder) as run:
         log, report = run.folder / "mission.lcmlog", run.folder / "report.html"
         try:
+            run.calibrate()
             world = world_file(arguments, run)
             outcome = mission(arguments, run, world, log)
         except NotReady as error:
             talk(f"scripts/demo: {error}; logs are in {run.folder}/log")
             return 3
-        reported = run.geon("report", log, "-o", report, stdout=sys.stderr).returncode == 0
+        reported = run.geon("report", log, "--truth", run.folder / "truth.jsonl", "-o", report, stdout=sys.stderr).returncode == 0
     verdict = outcome["verdict"]
     label = verdict["label"] if verdict and outcome["outcome"] == "named" else None
     truth = true_label(world, outcome["target_m"])
