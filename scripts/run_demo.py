@@ -117,14 +117,14 @@ def main():
         except NotReady as error:
             talk(f"scripts/demo: {error}; logs are in {run.folder}/log")
             return 3
-        reported = run.geon("report", log, "--truth", run.folder / "truth.jsonl", "-o", report, stdout=sys.stderr).returncode == 0
+        reporting = run.geon("report", log, "--truth", run.folder / "truth.jsonl", "-o", report, stdout=sys.stderr)
     verdict = outcome["verdict"]
     label = verdict["label"] if verdict and outcome["outcome"] == "named" else None
     truth = true_label(world, outcome["target_m"])
     result = {"format": "geon.demo.v1", "seed": arguments.seed, "world": str(world), "outcome": outcome["outcome"],
               "text": outcome["text"], "label": label, "truth": truth, "correct": label is not None and label == truth,
               "verdict": verdict, "seconds": round(time.monotonic() - begin, 1), "frames_lost": outcome["frames_lost"],
-              "restarts": outcome["restarts"], "log": str(log), "report": str(report) if reported else None,
+              "restarts": outcome["restarts"], "log": str(log), "report": str(report) if reporting.returncode == 0 else None,
               "run_directory": str(run.folder)}
     (run.folder / "result.json").write_text(json.dumps(result) + "\n")
     if arguments.json:
