@@ -19,7 +19,7 @@ int32_t PowerLineMenu(int hz) {
 }
 
 std::string Named(const ControlSetting& setting, int32_t value) {
-  return setting.name + " = " + std::to_string(value);
+  return std::string(setting.name) + " = " + std::to_string(value);
 }
 
 Status ApplyControl(const ControlSetting& setting, const Ioctl& device_ioctl) {
@@ -37,7 +37,7 @@ Status ApplyControl(const ControlSetting& setting, const Ioctl& device_ioctl) {
   }
   control.value = 0;
   if (device_ioctl(VIDIOC_G_EXT_CTRLS, &controls) != 0) {
-    return Status::Error("the camera does not read back " + setting.name + ": " +
+    return Status::Error("the camera does not read back " + std::string(setting.name) + ": " +
                          std::strerror(errno));
   }
   if (control.value != setting.value) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/status.h"
@@ -22,7 +23,7 @@ struct CameraControls {
 struct ControlSetting {
   uint32_t id = 0;
   int32_t value = 0;
-  std::string name;
+  std::string_view name;
   bool required = false;  // else a camera without it is fine
 };
 

@@ -50,7 +50,9 @@ TEST(SimulatedRobotTest, CamerasRunAtTheirRatesWithoutGaps) {
   for (size_t k = 0; k < bw.size(); ++k) {
     EXPECT_EQ(bw[k].seq, static_cast<int64_t>(k + 1));
     EXPECT_NEAR(bw[k].end_s - bw[k].start_s, 0.010, 1e-9);
-    if (k > 0) EXPECT_NEAR(bw[k].start_s - bw[k - 1].start_s, 0.1, 1e-9);
+    if (k > 0) {
+      EXPECT_NEAR(bw[k].start_s - bw[k - 1].start_s, 0.1, 1e-9);
+    }
   }
 }
 
