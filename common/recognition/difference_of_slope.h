@@ -10,12 +10,12 @@ struct DifferenceOfSlopeOptions {
   int window = 10;  // W, samples of each fitted line (section 5.3.1)
   int gap = 3;      // M, samples between them, at least the arc length of a corner
   // theta_Smax: within +-this the curve is straight. Section 5.3.1 gives no values for this and the
-  // next two; theirs come from synthetic profiles (docs/experiments.md).
+  // next two; these come from a random search on synthetic views (see recognize_geon.h).
   double zero_range_rad = 0.083;
-  int curve_width = 30;     // s_curve, samples: wider peaks are curves
-  double corner_rad = 1.1;  // theta_corner: higher peaks are corners
+  int curve_width = 36;      // s_curve, samples: wider peaks are curves
+  double corner_rad = 1.15;  // theta_corner: higher peaks are corners
   // A negative peak must fall below minus this to count as a concavity (figure 5.11).
-  double concave_rad = 0.165;
+  double concave_rad = 0.22;
   void Validate() const;  // throws ContractViolation
 };
 

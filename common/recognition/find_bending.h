@@ -9,7 +9,7 @@ namespace geon::recognition {
 
 struct BendingOptions {
   // k_tol of (5.3). The thesis prints no value; this is several times the noise of an end point.
-  double concave_edge_m = 0.0055;
+  double concave_edge_m = 0.0053;
   void Validate() const;  // throws ContractViolation
 };
 

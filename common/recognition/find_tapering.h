@@ -11,11 +11,11 @@ struct TaperingOptions {
   // Lengths count as different (5.4-5.7) when they differ by more than this: noise alone would make
   // three equal lengths monotone one time in three. Vertical stripes cross the top and the front of
   // an object, which perspective foreshortens unequally: they need more.
-  double horizontal_length_m = 0.0027;
-  double vertical_length_m = 0.013;
+  double horizontal_length_m = 0.0031;
+  double vertical_length_m = 0.0135;
   // k_tol of (5.8) for each direction. The thesis prints no value.
-  double horizontal_step_m = 0.046;
-  double vertical_step_m = 0.0205;
+  double horizontal_step_m = 0.063;
+  double vertical_step_m = 0.0217;
   void Validate() const;  // throws ContractViolation
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 TEST(RecognizeGeon, NamesPlainViewsOfAllSevenGeons) {
   for (const geons::GeonShape& shape : PlainGeons()) {
-    const auto scan = ScanOfGeon(shape, RadiansFromDegrees(35.0), {}, 1);
+    const auto scan = ScanOfGeon(shape, 0.3, {}, 1);
     ASSERT_TRUE(scan.has_value()) << ToString(shape.label);
     const auto verdict = RecognizeGeon(*scan, {});
     EXPECT_EQ(ToString(verdict.label), ToString(shape.label));

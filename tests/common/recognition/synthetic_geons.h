@@ -53,7 +53,7 @@ class MeshCaster {
 // The scan of a geon turned by `yaw_rad`.
 inline std::optional<sensor::ScanSet> ScanOfGeon(const geons::GeonShape& shape, double yaw_rad,
                                                  const SyntheticView& view, uint64_t seed) {
-  geons::TriangleMesh mesh = geons::GeonMesh(shape, {32, 24});
+  geons::TriangleMesh mesh = geons::GeonMesh(shape, {24, 16});
   geons::Transform(
       geometry::MakeTransform(geometry::RotationAboutZ(yaw_rad), Eigen::Vector3d::Zero()), &mesh);
   std::mt19937_64 random(seed);
@@ -63,11 +63,11 @@ inline std::optional<sensor::ScanSet> ScanOfGeon(const geons::GeonShape& shape, 
 // One of each, in shapes that show their nature; by label.
 inline std::vector<geons::GeonShape> PlainGeons() {
   const double bend_rad = RadiansFromDegrees(110.0);
-  return {{GeonLabel::kCuboid, {0.20, 0.16, 0.18}, 0.0, 0.0, 1},
-          {GeonLabel::kCylinder, {0.18, 0.18, 0.22}, 0.0, 0.0, 1},
-          {GeonLabel::kEllipsoid, {0.20, 0.20, 0.22}, 0.0, 0.0, 1},
-          {GeonLabel::kTaperedCuboid, {0.22, 0.22, 0.24}, 0.5, 0.0, 1},
-          {GeonLabel::kTaperedCylinder, {0.22, 0.22, 0.24}, 0.5, 0.0, 1},
+  return {{GeonLabel::kCuboid, {0.18, 0.14, 0.15}, 0.0, 0.0, 1},
+          {GeonLabel::kCylinder, {0.16, 0.16, 0.18}, 0.0, 0.0, 1},
+          {GeonLabel::kEllipsoid, {0.18, 0.18, 0.18}, 0.0, 0.0, 1},
+          {GeonLabel::kTaperedCuboid, {0.18, 0.18, 0.18}, 0.5, 0.0, 1},
+          {GeonLabel::kTaperedCylinder, {0.18, 0.18, 0.18}, 0.5, 0.0, 1},
           {GeonLabel::kBentCuboid, {0.08, 0.09, 0.36}, 0.0, bend_rad, 2},
           {GeonLabel::kBentCylinder, {0.08, 0.08, 0.36}, 0.0, bend_rad, 1}};
 }
@@ -94,7 +94,7 @@ inline std::vector<RandomScan> RandomScans(int count, uint64_t seed) {
         shape.size_m = {uniform(.05, .11), uniform(.05, .12), uniform(.25, .45)};
         shape.bend_rad = RadiansFromDegrees(uniform(60, 170));
       } else {
-        shape.size_m = {uniform(.12, .28), uniform(.12, .28), uniform(.12, .28)};
+        shape.size_m = {uniform(.11, .22), uniform(.11, .22), uniform(.11, .20)};
       }
       if (geons::IsTapered(shape.label)) shape.taper_1 = uniform(.2, .75);
       const bool round_section =

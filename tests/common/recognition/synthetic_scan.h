@@ -107,7 +107,7 @@ inline std::optional<sensor::ScanSet> MakeSyntheticScan(const CastRay& cast,
     profile.rotation_LB = R_LB;
     // Across the stripe's pixel: the mean of all light that falls into it.
     std::map<int, std::pair<double, int>> light;
-    constexpr int kRays = 1400;
+    constexpr int kRays = 900;
     for (int j = 0; j < kRays; ++j) {
       const double tangent = 0.22 * (2.0 * j / (kRays - 1) - 1.0);
       const Eigen::Vector3d beam_L = R_LB * (forward_B + tangent * side_B).normalized();
