@@ -33,7 +33,7 @@ struct LaserOptions {
   double speckle_1 = 0.17;
 };
 
-// How far the simulated robot is from its drawing: standard deviations, drawn once from the seed.
+// How far the simulated robot is from its drawing: standard deviations, drawn once an individual.
 struct MountingErrorOptions {
   double focal_1 = 0.003;
   double camera_rad = RadiansFromDegrees(0.1);
