@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kOffAim_rad = 0.06;  // a third of the colour camera's half view
 constexpr double kFacing_rad = 0.10;
+constexpr int kFloorLooks = 3;      // that may tell a desk from floor, before arriving at either
 constexpr double kUnseen_s = 12.0;  // then the estimate is no longer trusted
 
 }  // namespace
@@ -19,6 +20,7 @@ void ApproachPhase::Enter(Context* context) {
   seen_s_ = nearer_s_ = context->time_s;
   nearest_m_ = 1e9;
   wander_until_s_ = -1.0;
+  floor_looks_ = 0;
 }
 
 Transition ApproachPhase::Step(Context* context) {
@@ -35,8 +37,7 @@ Transition ApproachPhase::Step(Context* context) {
   KeepHeadOn(context, *target);
 
   const Eigen::Vector2d target_R_m = InRobot(*context, target->p_WFoot_m);
-  const auto& looking = context->options.looking;
-  if (target_R_m.norm() <= looking.stop_distance_m + looking.stop_tolerance_m) {
+  if (target_R_m.norm() <= context->stop_distance_m + context->options.looking.stop_tolerance_m) {
     return Arrive(context, target_R_m);
   }
   if (context->time_s < wander_until_s_) {
@@ -49,7 +50,7 @@ Transition ApproachPhase::Step(Context* context) {
   context->text =
       "approaching the target, " + std::to_string(target_R_m.norm()).substr(0, 4) + " m away";
   context->wishes.velocity = context->drive.Toward(context->time_s, context->senses,
-                                                   target->p_WFoot_m, looking.stop_distance_m);
+                                                   target->p_WFoot_m, context->stop_distance_m);
   return GuardProgress(context, target_R_m.norm());
 }
 
@@ -62,6 +63,7 @@ void ApproachPhase::See(Context* context) {
   const auto& floor = context->senses.floor();
   if (floor) {
     context->target.See(*floor);
+    ++floor_looks_;
     if (floor->seen.target) seen_s_ = context->time_s;
   }
 }
@@ -79,6 +81,7 @@ void ApproachPhase::KeepHeadOn(Context* context, const SupportHypothesis& target
 
 Transition ApproachPhase::Arrive(Context* context, const Eigen::Vector2d& target_R_m) {
   context->text = "facing the target";
+  if (floor_looks_ < kFloorLooks) return std::nullopt;
   const double bearing_rad = std::atan2(target_R_m.y(), target_R_m.x());
   if (std::abs(bearing_rad) > kFacing_rad) {
     context->wishes.velocity = context->drive.TurnTo(bearing_rad);

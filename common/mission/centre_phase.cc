@@ -9,7 +9,6 @@ namespace geon::mission {
 
 namespace {
 
-constexpr double kSameLook_rad = 0.01;
 constexpr double kFaced_rad = 0.35;        // beyond this the robot turns to the target first
 constexpr double kNearEnough_m = 0.08;     // beyond the stopping distance
 constexpr double kPatienceFactor_1 = 3.0;  // of image_s: head still and a picture taken
@@ -21,6 +20,7 @@ void CentrePhase::Enter(Context* context) {
   context->drive.Rest();
   steps_ = 0;
   lost_ = 0;
+  tried_heights_m_.clear();
   pointed_s_ = context->time_s;
   if (!context->head.wanted()) {
     const auto& ptu = context->senses.ptu();
@@ -41,17 +41,28 @@ Transition CentrePhase::Step(Context* context) {
   }
   const auto& head = context->senses.head();
   const auto& wanted = *context->head.wanted();
-  if (!head || !head->still || std::abs(head->head.pan_rad - wanted.pan_rad) > kSameLook_rad ||
-      std::abs(head->head.tilt_rad - wanted.tilt_rad) > kSameLook_rad) {
-    return std::nullopt;
-  }
+  if (!head || !head->still || !Same(head->head, wanted)) return std::nullopt;
   pointed_s_ = context->time_s;
   if (head->seen.target) {
     lost_ = 0;
     return Judge(context, *head);
   }
   if (++lost_ < context->options.looking.lost_looks) return std::nullopt;
+  if (TryAnotherHeight(context)) return std::nullopt;
   return Next{Phase::kSearch, "the target's colour was lost", std::nullopt, true};
+}
+
+bool CentrePhase::TryAnotherHeight(Context* context) {
+  for (const SupportHypothesis& support : context->target.hypotheses()) {
+    if (support.sightings == 0 || !tried_heights_m_.insert(support.support_height_m).second)
+      continue;
+    const auto aim = AimAt(*context, support.p_WFoot_m, support.support_height_m + kTargetMiddle_m);
+    if (!aim || Same(*aim, *context->head.wanted())) continue;
+    context->head.Point(*aim);
+    lost_ = 0;
+    return true;
+  }
+  return false;
 }
 
 Transition CentrePhase::Judge(Context* context, const HeadSighting& sighting) {
@@ -83,10 +94,9 @@ Transition CentrePhase::Centred(Context* context, const HeadSighting& sighting) 
   if (nearest == nullptr) {
     return Next{Phase::kSearch, "no known support explains where the target is seen"};
   }
-  const auto& looking = context->options.looking;
   const Eigen::Vector2d target_R_m = InRobot(*context, nearest->p_WFoot_m);
   const double bearing_rad = std::atan2(target_R_m.y(), target_R_m.x());
-  if (target_R_m.norm() > looking.stop_distance_m + kNearEnough_m ||
+  if (target_R_m.norm() > context->stop_distance_m + kNearEnough_m ||
       std::abs(bearing_rad) > kFaced_rad) {
     return Next{Phase::kApproach, "the target is in view and its place is known"};
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+
 #include "mission/phase.h"
 
 namespace geon::mission {
@@ -16,10 +18,14 @@ class CentrePhase {
 
  private:
   Transition Judge(Context* context, const HeadSighting& sighting);
+  // Points the head where the target would be if its support had another height; whether there is
+  // one that was not tried.
+  bool TryAnotherHeight(Context* context);
   Transition Centred(Context* context, const HeadSighting& sighting);
 
   int steps_ = 0;
   int lost_ = 0;
+  std::set<double> tried_heights_m_;
   double pointed_s_ = 0.0;
 };
 

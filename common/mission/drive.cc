@@ -52,7 +52,11 @@ navigation::DriveVelocity Drive::Wander(double now_s, const Senses& senses) {
       Rest();
       return {};
     }
-    wander_W_m_ = Apply(senses.X_WR(), *waypoint_R_m);
+    // The default box turns with the robot: a waypoint in its corner would leave it at the first
+    // turn.
+    const double shorten_1 =
+        std::min(1.0, options_.safe_polygon.default_box_m / waypoint_R_m->norm());
+    wander_W_m_ = Apply(senses.X_WR(), shorten_1 * *waypoint_R_m);
     wander_until_s_ = now_s + options_.wander_s;
   }
   return Go(now_s, Apply(senses.X_WR().inverse(), *wander_W_m_), senses);

@@ -15,6 +15,10 @@ MissionOptions Checked(const MissionOptions& options) {
   return options;
 }
 
+// A floor picture younger than this is as good as a new one; older than that, the robot stops.
+constexpr double kFresh_s = 0.5;
+constexpr double kBlind_s = 1.2;
+
 bool Drives(Phase phase) {
   return phase == Phase::kSearch || phase == Phase::kApproach || phase == Phase::kBackOff;
 }
@@ -49,6 +53,7 @@ Mission::Mission(const MissionOptions& options, const geometry::SensorRig& rig, 
                {},
                run_id,
                0.0,
+               options.looking.stop_distance_m,
                std::nullopt,
                {},
                {},
@@ -85,7 +90,7 @@ Wishes Mission::Step(double now_s) {
   context_.profiles.clear();
   context_.verdicts.clear();
   context_.wishes.head = context_.head.Command(now_s, context_.senses.ptu());
-  Bound(&context_.wishes.velocity);
+  Bound(now_s, &context_.wishes.velocity);
   return context_.wishes;
 }
 
@@ -170,19 +175,21 @@ void Mission::Enter(const Next& next) {
       outcome_ = verdict_ && verdict_->decided ? sensor::MissionOutcome::kNamed
                                                : sensor::MissionOutcome::kFailed;
       if (verdict_) context_.text = Sentence(*verdict_);
-      sensor::ScanCommand off;
-      off.scan_id = context_.scan_id;
-      context_.wishes.scan_command = off;
+      context_.wishes.scan_command = sensor::ScanCommand();  // lasers off
       break;
   }
 }
 
-void Mission::Bound(navigation::DriveVelocity* velocity) const {
+void Mission::Bound(double now_s, navigation::DriveVelocity* velocity) const {
   const auto bounded = [](double value, double limit) {
     return std::isfinite(value) ? std::clamp(value, -limit, limit) : 0.0;
   };
   const auto& limits = options_.driving.velocity;
   if (!Drives(phase_)) *velocity = {};
+  // Ahead only as far as the floor camera has looked lately.
+  const double age_s = context_.senses.floor_age_s(now_s);
+  const double trust_1 = std::clamp((kBlind_s - age_s) / (kBlind_s - kFresh_s), 0.0, 1.0);
+  if (velocity->speed_m_s > 0.0) velocity->speed_m_s *= trust_1;
   velocity->speed_m_s = bounded(velocity->speed_m_s, limits.max_speed_m_s);
   velocity->turn_rate_rad_s = bounded(velocity->turn_rate_rad_s, limits.max_turn_rate_rad_s);
 }

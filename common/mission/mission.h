@@ -58,7 +58,7 @@ class Mission {
   Transition StepPhase();
   Transition CheckContact();
   Transition Pause(double now_s, const char* device);
-  void Bound(navigation::DriveVelocity* velocity) const;
+  void Bound(double now_s, navigation::DriveVelocity* velocity) const;
 
   MissionOptions options_;
   geometry::SensorRig rig_;

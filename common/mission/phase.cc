@@ -1,5 +1,7 @@
 #include "mission/phase.h"
 
+#include <cmath>
+
 #include "active_vision/turn_head.h"
 
 namespace geon::mission {
@@ -39,10 +41,17 @@ std::optional<active_vision::HeadAngles> AimAt(const Context& context, const Eig
   return context.senses.head_limits().Clamp(*aimed);
 }
 
+bool Same(const active_vision::HeadAngles& a, const active_vision::HeadAngles& b) {
+  constexpr double kSameLook_rad = 0.01;
+  return std::abs(a.pan_rad - b.pan_rad) < kSameLook_rad &&
+         std::abs(a.tilt_rad - b.tilt_rad) < kSameLook_rad;
+}
+
 Next StepBack(Context* context, const std::string& why) {
   if (context->counters.back_offs++ >= context->options.patience.back_offs) {
     return {Phase::kDone, why + ", and stepping back did not help"};
   }
+  context->stop_distance_m += context->options.driving.back_off_m;
   return {Phase::kBackOff, why};
 }
 

@@ -60,6 +60,9 @@ struct Context {
 
   // Seconds that the mission could work: stand still while a device it needs is away.
   double time_s = 0.0;
+  // How far before the target to stop: as configured, and farther by every step back from this
+  // target.
+  double stop_distance_m = 0.0;
   // The target wholly in view, as the scan needs it; set by the centring.
   std::optional<HeadSighting> view;
   // Arrived since the last step.
@@ -93,7 +96,10 @@ Eigen::Vector2d InRobot(const Context& context, const Eigen::Vector2d& p_W_m);
 // Head angles that look at a point of the room at a height, within the head's limits.
 std::optional<active_vision::HeadAngles> AimAt(const Context& context, const Eigen::Vector2d& p_W_m,
                                                double height_m);
-// Steps back when patience allows, else fails with `why`.
+// Whether two looks are the same, but for the PTU's resolution.
+bool Same(const active_vision::HeadAngles& a, const active_vision::HeadAngles& b);
+// Steps back, and stops that much farther from the target from now on, when patience allows; else
+// fails with `why`.
 Next StepBack(Context* context, const std::string& why);
 
 }  // namespace geon::mission

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kResendPlan_s = 1.0;
 constexpr double kResendCommand_s = 0.3;
+constexpr double kResendEnd_s = 0.5;
 constexpr double kShift_1 = 0.06;              // of the target's size, when a stripe is re-placed
 constexpr double kDistanceTolerance_m = 0.30;  // of the measured against the supposed distance
 
@@ -182,11 +183,8 @@ void ScanPhase::NextStripe(Context* context) {
     return;
   }
   all_laid_s_ = context->time_s;
+  command_sent_s_ = -1e9;
   context->head.Point({plan_.pan_rad, plan_.tilt_rad});
-  sensor::ScanCommand off;
-  off.scan_id = plan_.scan_id;
-  off.laser = sensor::Laser::kNone;
-  context->wishes.scan_command = off;
 }
 
 Transition ScanPhase::AwaitVerdict(Context* context) {
@@ -199,6 +197,13 @@ Transition ScanPhase::AwaitVerdict(Context* context) {
   if (context->time_s - all_laid_s_ > patience.verdict_s) {
     return ScanAgain(context, "the recognizer gave no verdict");
   }
+  // "No laser" ends the scan: the recognizer decides on what it has.
+  if (context->time_s - command_sent_s_ < kResendEnd_s) return std::nullopt;
+  command_sent_s_ = context->time_s;
+  sensor::ScanCommand end;
+  end.scan_id = plan_.scan_id;
+  end.stripe_index = static_cast<int32_t>(stripe_);
+  context->wishes.scan_command = end;
   return std::nullopt;
 }
 

@@ -8,22 +8,17 @@ namespace geon::mission {
 
 namespace {
 
-constexpr double kSameLook_rad = 0.01;
 constexpr double kFacing_rad = 0.06;
 constexpr double kTurnPatience_s = 8.0;
 constexpr int kFloorSightings = 2;  // one alone may be a speck
 const active_vision::HeadAngles kAhead{0.0, -0.1};
-
-bool Same(const active_vision::HeadAngles& a, const active_vision::HeadAngles& b) {
-  return std::abs(a.pan_rad - b.pan_rad) < kSameLook_rad &&
-         std::abs(a.tilt_rad - b.tilt_rad) < kSameLook_rad;
-}
 
 }  // namespace
 
 void SearchPhase::Enter(Context* context, bool near) {
   context->target.Clear();
   context->view.reset();
+  context->stop_distance_m = context->options.looking.stop_distance_m;
   context->drive.Rest();
   floor_sightings_ = 0;
   sectors_ = 0;

@@ -82,7 +82,10 @@ void Senses::TakeFloorImage(double now_s, sensor::Image image) {
 void Senses::Look(double now_s) {
   head_ = eyes_.LookHead(history_);
   floor_ = eyes_.LookFloor(history_);
-  if (floor_) memory_.SeeFloor(now_s, floor_->X_WR, floor_->columns);
+  if (floor_) {
+    memory_.SeeFloor(now_s, floor_->X_WR, floor_->columns);
+    floor_looked_s_ = now_s;
+  }
   memory_.Forget(now_s);
   memory_.In(X_WR().inverse(), &obstacles_R_m_);
 }

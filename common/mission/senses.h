@@ -56,6 +56,8 @@ class Senses {
   geometry::RigidTransform X_WR() const;
   // What stands around the robot, frame R.
   const std::vector<Eigen::Vector2d>& obstacles_R_m() const { return obstacles_R_m_; }
+  // Seconds since a floor picture was last looked at: nobody drives on old pictures.
+  double floor_age_s(double now_s) const { return now_s - floor_looked_s_; }
   // Grows when odometry started anew: places in W that were remembered before mean nothing.
   int odometry_epoch() const { return odometry_epoch_; }
 
@@ -80,6 +82,7 @@ class Senses {
   double laser_at_s_ = -1e9;
   double head_at_s_ = -1e9;
   double floor_at_s_ = -1e9;
+  double floor_looked_s_ = -1e9;
   sensor::DeviceStatus laser_status_ = sensor::DeviceStatus::kUnknown;
   std::vector<Eigen::Vector2d> obstacles_R_m_;
   int odometry_epoch_ = 0;

@@ -46,9 +46,10 @@ std::optional<Foot> FootOn(double support_height_m, const Eigen::Vector3d& p_WC,
 }
 
 // One step of a Kalman filter of a thing that stands still; returns the squared normalised
-// surprise.
+// surprise. What surprises too much does not move the estimate.
 double Update(const Foot& foot, SupportHypothesis* hypothesis) {
-  if (hypothesis->sightings++ == 0) {
+  if (hypothesis->sightings == 0) {
+    hypothesis->sightings = 1;
     hypothesis->p_WFoot_m = foot.p_W_m;
     hypothesis->covariance_m2 = foot.covariance_m2;
     return 0.0;
@@ -57,10 +58,13 @@ double Update(const Foot& foot, SupportHypothesis* hypothesis) {
   P += kDriftSigma_m * kDriftSigma_m * Eigen::Matrix2d::Identity();
   const Eigen::Vector2d surprise_m = foot.p_W_m - hypothesis->p_WFoot_m;
   const Eigen::Matrix2d S_inverse = (P + foot.covariance_m2).inverse();
+  const double surprise_1 = surprise_m.dot(S_inverse * surprise_m);
+  if (surprise_1 >= kMaxSurprise_1) return surprise_1;
+  ++hypothesis->sightings;
   const Eigen::Matrix2d gain = P * S_inverse;
   hypothesis->p_WFoot_m += gain * surprise_m;
   P = ((Eigen::Matrix2d::Identity() - gain) * P).eval();
-  return surprise_m.dot(S_inverse * surprise_m);
+  return surprise_1;
 }
 
 }  // namespace
@@ -132,7 +136,7 @@ void TargetTrack::RefuteDesksOverFreeFloor(const FloorSighting& sighting) {
         continue;
       }
       const double free_m = std::min(left_m.norm(), right_m.norm());
-      if (free_m > foot_R.head<2>().norm() + kMargin_m) hypothesis.misfit_1 += kDecisive_1 / 2.0;
+      if (free_m > foot_R.head<2>().norm() + kMargin_m) hypothesis.misfit_1 += 0.6 * kDecisive_1;
       break;
     }
   }

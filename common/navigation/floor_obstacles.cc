@@ -24,8 +24,11 @@ Colour ColourOf(const cv::Vec3b& bgr) {
 
 bool IsFloor(const cv::Vec3b& bgr, const FloorModel& model) {
   const Colour colour = ColourOf(bgr);
-  return std::abs(colour.red_share_1 - model.red_share_1) <= model.share_tolerance_1 &&
-         std::abs(colour.green_share_1 - model.green_share_1) <= model.share_tolerance_1 &&
+  const double red_1 = colour.red_share_1 - model.red_share_1;
+  const double green_1 = colour.green_share_1 - model.green_share_1;
+  const double blue_1 = -red_1 - green_1;
+  return std::max({std::abs(red_1), std::abs(green_1), std::abs(blue_1)}) <=
+             model.share_tolerance_1 &&
          colour.level >= model.darkest_1 * model.level &&
          colour.level <= model.brightest_1 * model.level;
 }
@@ -70,6 +73,16 @@ double Median(std::vector<double>* values) {
   std::nth_element(values->begin(), middle, values->end());
   return *middle;
 }
+
+// Standard deviation about a median, from the median of distances, which seams and specks do not
+// move.
+double Spread(std::vector<double> values, double median) {
+  for (double& value : values) value = std::abs(value - median);
+  return 1.4826 * Median(&values);
+}
+
+constexpr double kNoiseMargin_1 = 4.5;     // standard deviations of floor that are still floor
+constexpr double kLampTolerance_1 = 0.05;  // in each share, from one room's lamp to another's
 
 }  // namespace
 
@@ -160,15 +173,18 @@ std::optional<FloorModel> LearnFloor(const cv::Mat& image_bgr,
   model.red_share_1 = Median(&red_1);
   model.green_share_1 = Median(&green_1);
   model.level = Median(&level);
+  const double noise_1 =
+      std::max(Spread(red_1, model.red_share_1), Spread(green_1, model.green_share_1));
+  model.share_tolerance_1 =
+      std::clamp(kNoiseMargin_1 * noise_1, prior.share_tolerance_1, 2.0 * prior.share_tolerance_1);
   const auto median_bgr =
       cv::Vec3b(cv::saturate_cast<uint8_t>(3.0 * model.level *
                                            (1.0 - model.red_share_1 - model.green_share_1)),
                 cv::saturate_cast<uint8_t>(3.0 * model.level * model.green_share_1),
                 cv::saturate_cast<uint8_t>(3.0 * model.level * model.red_share_1));
-  // Lamps differ from room to room: twice the prior's own window, and a factor of two in
-  // brightness.
+  // Lamps differ from room to room.
   FloorModel wide = prior;
-  wide.share_tolerance_1 *= 2.0;
+  wide.share_tolerance_1 = kLampTolerance_1;
   wide.darkest_1 = 0.5;
   wide.brightest_1 = 2.0;
   if (!IsFloor(median_bgr, wide)) return std::nullopt;

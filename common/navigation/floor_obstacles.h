@@ -12,13 +12,13 @@
 
 namespace geon::navigation {
 
-// What colour the floor has, as the floor camera sees it: shares of red and green in the sum (which
-// shadows hardly change), and a window of brightness (which separates grey from white and black).
+// What colour the floor has, as the floor camera sees it: the channels' shares in their sum (which
+// shadows hardly change), and a window of brightness (which separates grey from black and glare).
 struct FloorModel {
   double red_share_1 = 1.0 / 3.0;
   double green_share_1 = 1.0 / 3.0;
   double level = 150.0;              // mean of the three channels, 0..255
-  double share_tolerance_1 = 0.025;  // half-width of the window in each share
+  double share_tolerance_1 = 0.012;  // half-width of the window in each of the three shares
   double darkest_1 = 0.6;     // window of brightness, as a part of `level`: seams and shadows
   double brightest_1 = 1.35;  // stay inside
 

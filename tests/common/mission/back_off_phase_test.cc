@@ -10,8 +10,8 @@ namespace {
 TEST(BackOffPhaseTest, MovesAwayFromWhatItTouchedAndNotFar) {
   MissionOptions options = FastOptions();
   FakeWorld world(options);
-  ASSERT_TRUE(world.RunUntil(Phase::kApproach, 60.0));
-  world.RunUntil([] { return false; }, 2.0);
+  world.blocks[0].center_W_m = {3.5, 0.0};
+  ASSERT_TRUE(world.RunUntil([&] { return world.wishes().velocity.speed_m_s > 0.3; }, 60.0));
   world.bumper_pressed = true;
   ASSERT_TRUE(world.RunUntil(Phase::kBackOff, 0.2));
   world.bumper_pressed = false;

@@ -86,29 +86,35 @@ void FakeWorld::Step() {
   Move();
   TellStates();
   if (step_ % 4 == 0) TellPictures();
+  TellProfiles();
+  wishes_ = mission_->Step(now_s_);
+  if (phases.empty() || phases.back() != mission_->phase()) phases.push_back(mission_->phase());
+  Obey(wishes_);
+}
+
+void FakeWorld::TellProfiles() {
   for (auto due = pending_.begin(); due != pending_.end();) {
     if (due->first > now_s_) {
       ++due;
       continue;
     }
+    sensor::RangeProfile& profile = due->second;
     if (recognizer_up) {
-      due->second.seq = ++recognizer_seq;
-      mission_->Take(due->second);
-      if (due->second.status == sensor::ProfileStatus::kOk) ++answered_[due->second.scan_id];
-      const auto last = static_cast<int32_t>(plans.back().stripes.size()) - 1;
-      if (due->second.stripe_index == last && answered_[due->second.scan_id] >= 4) {
-        sensor::GeonVerdict verdict;
-        verdict.scan_id = due->second.scan_id;
-        verdict.label = GeonLabel::kTaperedCuboid;
-        verdict.decided = decided;
-        mission_->Take(verdict);
-      }
+      profile.seq = ++recognizer_seq;
+      mission_->Take(profile);
+      const bool good = profile.status == sensor::ProfileStatus::kOk;
+      if (good && ++answered_[profile.scan_id] == 6) GiveVerdict(profile.scan_id);
     }
     due = pending_.erase(due);
   }
-  wishes_ = mission_->Step(now_s_);
-  if (phases.empty() || phases.back() != mission_->phase()) phases.push_back(mission_->phase());
-  Obey(wishes_);
+}
+
+void FakeWorld::GiveVerdict(int64_t scan_id) {
+  sensor::GeonVerdict verdict;
+  verdict.scan_id = scan_id;
+  verdict.label = GeonLabel::kTaperedCuboid;
+  verdict.decided = decided;
+  mission_->Take(verdict);
 }
 
 bool FakeWorld::RunUntil(const std::function<bool()>& done, double limit_s) {
@@ -260,9 +266,12 @@ void FakeWorld::Obey(const Wishes& wishes) {
   if (wishes.scan_plan && (plans.empty() || plans.back().scan_id != wishes.scan_plan->scan_id)) {
     plans.push_back(*wishes.scan_plan);
   }
-  if (wishes.scan_command && wishes.scan_command->laser != sensor::Laser::kNone &&
-      stripe_camera_up) {
-    AnswerStripe(*wishes.scan_command);
+  if (!wishes.scan_command) return;
+  const sensor::ScanCommand& command = *wishes.scan_command;
+  if (command.laser != sensor::Laser::kNone) {
+    if (stripe_camera_up) AnswerStripe(command);
+  } else if (recognizer_up && command.scan_id != 0 && answered_[command.scan_id] > 0) {
+    GiveVerdict(command.scan_id);  // told that the scan is over
   }
 }
 

@@ -76,6 +76,8 @@ class FakeWorld {
   void TellPictures();
   void Obey(const Wishes& wishes);
   void AnswerStripe(const sensor::ScanCommand& command);
+  void TellProfiles();
+  void GiveVerdict(int64_t scan_id);
   cv::Mat Picture(const geometry::PinholeCamera& camera,
                   const geometry::RigidTransform& X_WC) const;
   double TrueDistance() const;

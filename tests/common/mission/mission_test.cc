@@ -50,6 +50,7 @@ TEST(MissionTest, KnowsByItselfThatAGeonStandsOnTheDesk) {
   world.blocks.push_back(Desk(world.blocks[0].center_W_m));
   ASSERT_TRUE(world.RunToTheEnd());
   EXPECT_EQ(world.mission().outcome(), MissionOutcome::kNamed) << world.Text();
+  ASSERT_FALSE(world.plans.empty());
   EXPECT_EQ(world.plans.back().support_height_m, 0.7);
   EXPECT_FALSE(world.Touches());
 }
@@ -114,10 +115,19 @@ TEST(MissionTest, StandsWhileTheBaseIsAwayAndGoesOnAfterwards) {
   EXPECT_EQ(world.mission().outcome(), MissionOutcome::kNamed) << world.Text();
 }
 
+TEST(MissionTest, DoesNotDriveAheadOnOldPicturesOfTheFloor) {
+  FakeWorld world(FastOptions());
+  world.blocks[0].center_W_m = {4.0, 0.0};
+  ASSERT_TRUE(world.RunUntil([&] { return world.wishes().velocity.speed_m_s > 0.3; }, 60.0));
+  world.floor_camera_up = false;
+  world.RunUntil([] { return false; }, 1.5);
+  EXPECT_EQ(world.wishes().velocity.speed_m_s, 0.0);
+}
+
 TEST(MissionTest, AContactIsBackedOffFromAndTheMissionGoesOn) {
   FakeWorld world(FastOptions());
-  ASSERT_TRUE(world.RunUntil(Phase::kApproach, 60.0));
-  world.RunUntil([] { return false; }, 1.5);
+  world.blocks[0].center_W_m = {3.5, 0.0};
+  ASSERT_TRUE(world.RunUntil([&] { return world.wishes().velocity.speed_m_s > 0.3; }, 60.0));
   world.bumper_pressed = true;
   ASSERT_TRUE(world.RunUntil(Phase::kBackOff, 0.2));
   const Eigen::Vector2d before_m = world.pose.head<2>();

