@@ -51,8 +51,8 @@ Result<std::unique_ptr<FramePublisher>> FramePublisher::Open(
     const std::filesystem::path& run_directory, sim::RigRenderer renderer, int64_t epoch_utime) {
   auto sockets = std::make_unique<Sockets>();
   for (const char* name : kSocketNames) {
-    const std::string address =
-        "ipc://" + (std::filesystem::absolute(run_directory) / name).string();
+    const std::filesystem::path file = std::filesystem::absolute(run_directory) / name;
+    const std::string address = "ipc://" + file.string();
     try {
       zmq::socket_t socket(sockets->context, zmq::socket_type::xpub);
       socket.set(zmq::sockopt::linger, 0);
