@@ -104,27 +104,32 @@ TEST(RigRendererTest, LaserThatBurnsForPartOfTheExposureIsFainter) {
   EXPECT_NEAR((total(0.4, 2) - dark) / (total(1.0, 3) - dark), 0.4, 0.03);
 }
 
-TEST(RigRendererTest, GeonShadowsTheLaserOnTheFloorBehindIt) {
-  const std::string box =
-      "  - {box: [0.2, 0.2, 0.3], x_m: 1.5, y_m: 1.75, color_rgb: [150, 40, 40]}\n";
-  RigPose pose;
-  pose.X_WR = geometry::PlanarPose(1.5, 0.6, kPi / 2);
-  pose.tilt_rad = RadiansFromDegrees(-25);
-  RigRenderer renderer(SceneFrom(box), TestRig(), WithoutMountingErrors(), 1);
-  const Frame unlit = renderer.HeadBw(pose, {}, 1);
-  // The vertical laser stands to the left: its stripe on the floor behind the box is cut where the
-  // box stands in its way, though the camera would see it there.
-  const auto u_px = StripeCentroids(renderer.HeadBw(pose, {0, 1}, 2), unlit, false);
-  int gaps = 0, shown = 0;
-  for (double u : u_px) (std::isnan(u) ? gaps : shown)++;
-  EXPECT_GT(shown, 200);
-  EXPECT_GT(gaps, 10);
-  renderer.SetScene(SceneFrom(""));
-  const auto free_px =
-      StripeCentroids(renderer.HeadBw(pose, {0, 1}, 2), renderer.HeadBw(pose, {}, 1), false);
-  int free_gaps = 0;
-  for (double u : free_px) free_gaps += std::isnan(u) ? 1 : 0;
-  EXPECT_LT(free_gaps, gaps);
+TEST(RigRendererTest, WhatStandsInTheLasersWayShadowsIt) {
+  RigRenderer renderer(SceneFrom(""), TestRig(), WithoutMountingErrors(), 1);
+  const RigPose pose;
+  const geometry::RigidTransform X_WB = renderer.StripeCameraPose(pose);
+  // The vertical laser stands 0.125 m to the left and its fan meets the axis, and the board,
+  // at 1.037 m. A post half way, in the lower half of the picture, stands in the fan but left of
+  // what the camera sees there.
+  std::vector<Body> bodies = BoardScene(X_WB, 1.037)->bodies();
+  Body post;
+  post.name = "post";
+  for (const auto& [x_m, y_m] :
+       {std::pair{-0.08, 0.02}, {-0.04, 0.02}, {-0.04, 0.3}, {-0.08, 0.3}}) {
+    post.surface_W.vertices_m.push_back(X_WB * Eigen::Vector3d(x_m, y_m, 0.52));
+    post.surface_W.normals.push_back(-X_WB.linear().col(2));
+  }
+  post.surface_W.triangles = {{0, 2, 1}, {0, 3, 2}};
+  bodies.push_back(post);
+  renderer.SetScene(std::make_shared<Scene>(bodies, Lighting()));
+  const Frame unlit = renderer.HeadBw(pose, {}, 1), lit = renderer.HeadBw(pose, {0, 1}, 2);
+  const auto brightest_near_the_axis = [&](int v) {
+    int level = 0;
+    for (int u = 300; u < 340; ++u) level = std::max(level, At(lit, u, v) - At(unlit, u, v));
+    return level;
+  };
+  for (int v = 60; v < 220; ++v) EXPECT_GT(brightest_near_the_axis(v), 60) << v;
+  for (int v = 340; v < 460; ++v) EXPECT_LT(brightest_near_the_axis(v), 20) << v;
 }
 
 TEST(RigRendererTest, PaintedGeonPassesTheThesisColourRules) {

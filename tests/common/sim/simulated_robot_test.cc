@@ -83,11 +83,10 @@ TEST(SimulatedRobotTest, ALaserSwitchedWithinAnExposureLightsPartOfIt) {
 TEST(SimulatedRobotTest, ExposuresShowTheHeadWhereItReallyIs) {
   const auto robot = MakeRobot();
   robot->Advance(0.5);
-  robot->TakeExposures();
+  for (const Exposure& before : robot->TakeExposures()) EXPECT_EQ(before.pose.pan_rad, 0.0);
   Say(robot.get(), DeviceId::kPtu, "PP1000 ");
   robot->Advance(3.0);
   const auto exposures = Of(CameraId::kHeadColor, robot->TakeExposures());
-  EXPECT_EQ(exposures.front().pose.pan_rad, 0.0);
   const double final_rad = RadiansFromDegrees(1000 * 185.1428 / 3600);
   EXPECT_NEAR(exposures.back().pose.pan_rad, final_rad, 1e-9);
   EXPECT_TRUE(std::any_of(exposures.begin(), exposures.end(), [&](const Exposure& exposure) {

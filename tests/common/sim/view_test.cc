@@ -35,7 +35,7 @@ TEST(ViewTest, PixelsMeetTheFloorWhereTheirRaysSay) {
 
 TEST(ViewTest, BoxThrowsASoftShadowOfTheLamp) {
   // A board that floats below the lamp (over the middle of the pen, 2.8 m high).
-  const auto scene = SceneFrom("  - {box: [0.5, 0.5, 0.02], x_m: 1.5, y_m: 2.25, z_m: 2.3}\n");
+  const auto scene = SceneFrom("  - {box: [1.2, 1.2, 0.02], x_m: 1.5, y_m: 2.25, z_m: 2.3}\n");
   const View view = LookDown(*scene, 1.5, 2.25);
   const auto shadow = ShadeColor(*scene, view, LampShadows::kSoft);
   const auto none = ShadeColor(*scene, view, LampShadows::kNone);
