@@ -21,7 +21,7 @@ enum class GeonLabel {
 inline constexpr int kGeonLabelCount = 7;
 
 inline constexpr std::array<std::string_view, kGeonLabelCount> kGeonLabelNames = {
-    "cuboid",          "cylinder",    "ellipsoid",     "tapered_cuboid",
+    "cuboid",           "cylinder",    "ellipsoid",    "tapered_cuboid",
     "tapered_cylinder", "bent_cuboid", "bent_cylinder"};
 
 constexpr std::string_view ToString(GeonLabel label) {

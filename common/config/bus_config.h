@@ -7,8 +7,8 @@
 
 namespace geon::config {
 
-// Where the bus is: --lcm-url, else $LCM_DEFAULT_URL (both in arguments.lcm_url), else `bus: url:` of the
-// robot file, which is read, and checked, in any case.
+// Where the bus is: --lcm-url, else $LCM_DEFAULT_URL (both in arguments.lcm_url), else `bus: url:`
+// of the robot file, which is read, and checked, in any case.
 std::string ReadBusUrl(const DaemonArguments& arguments, YamlSection bus);
 
 }  // namespace geon::config

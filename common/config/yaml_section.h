@@ -11,8 +11,8 @@ namespace geon::config {
 
 struct YamlSource;  // the parsed file, the keys read so far and the errors found so far
 
-// One map of a YAML file, read strictly: what is missing, ill-typed, duplicate or unknown is an error
-// with file and line. Errors are collected, so that one run reports all of them:
+// One map of a YAML file, read strictly: what is missing, ill-typed, duplicate or unknown is an
+// error with file and line. Errors are collected, so that one run reports all of them:
 //
 //   Result<YamlDocument> document = YamlDocument::Load("robot.yaml");
 //   YamlSection ptu = document->root().Child("ptu");
@@ -46,7 +46,8 @@ class YamlSection {
     if (Has(key)) ReadAngle(key, value_rad);
   }
 
-  // A map below this one. A missing required child is an error and reads as empty without further ones.
+  // A map below this one. A missing required child is an error and reads as empty without further
+  // ones.
   YamlSection Child(const std::string& key);
   // A list of maps; absent means none.
   std::vector<YamlSection> Children(const std::string& key);

@@ -4,9 +4,9 @@
 
 namespace geon::geometry {
 
-// X_AB takes coordinates in frame B to coordinates in frame A: p_A = X_AB * p_B. The frames' letters
-// are those of docs/frames.md (W pen floor, R robot, P PTU base, T PTU head, C colour camera,
-// B B/W camera, F floor camera, L level frame of a scan).
+// X_AB takes coordinates in frame B to coordinates in frame A: p_A = X_AB * p_B. The frames'
+// letters are those of docs/frames.md (W pen floor, R robot, P PTU base, T PTU head, C colour
+// camera, B B/W camera, F floor camera, L level frame of a scan).
 using RigidTransform = Eigen::Isometry3d;
 
 inline RigidTransform MakeTransform(const Eigen::Matrix3d& R_AB, const Eigen::Vector3d& p_AB) {

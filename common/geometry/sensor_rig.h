@@ -9,12 +9,12 @@ namespace geon::geometry {
 
 // A line laser: a fan of light in the plane { p : normal . (p - origin) = 0 }, seen from T.
 struct LaserMount {
-  Eigen::Vector3d p_TLaser_m = Eigen::Vector3d::Zero();     // where the fan starts, frame T
-  Eigen::Vector3d normal_T = Eigen::Vector3d::UnitZ();      // unit normal of the fan's plane, frame T
+  Eigen::Vector3d p_TLaser_m = Eigen::Vector3d::Zero();  // where the fan starts, frame T
+  Eigen::Vector3d normal_T = Eigen::Vector3d::UnitZ();   // unit normal of the fan's plane, frame T
 };
 
-// The head of the robot and the camera that watches the floor, as mounted (thesis figures 3.2, 3.10;
-// figures in scripts/config/robot.yaml).
+// The head of the robot and the camera that watches the floor, as mounted (thesis
+// figures 3.2, 3.10; figures in scripts/config/robot.yaml).
 //
 // P sits on the turret, T is carried by the pan-tilt unit, both with x forward, y left, z up; the
 // cameras have x right, y down, z forward. Positive pan turns left, positive tilt looks up.

@@ -19,9 +19,9 @@ struct ProfileEvidence {
   int curves = 0;
   int corners = 0;
   int concavities = 0;
-  double length_m = 0.0;              // between the end points
-  std::vector<double> arc_length_m;   // abscissa of the theta-plot
-  std::vector<double> theta_rad;      // difference of slope along the profile (figure 5.7)
+  double length_m = 0.0;             // between the end points
+  std::vector<double> arc_length_m;  // abscissa of the theta-plot
+  std::vector<double> theta_rad;     // difference of slope along the profile (figure 5.7)
 };
 
 // Bending (section 5.4): two segments, a concavity, or a concave edge through the end points (5.3).

@@ -30,10 +30,11 @@ struct RangeProfile {
   ProfileStatus status = ProfileStatus::kOk;
   int32_t on_target = 0;  // points left after background removal
   Laser laser = Laser::kHorizontal;
-  // Where the stripe was meant to lie: from the top (horizontal) or the left (vertical) of the target.
+  // Where the stripe was meant to lie: from the top (horizontal) or the left (vertical) of the
+  // target.
   double fraction = 0.5;
-  // Image column (horizontal stripe) or row (vertical) of each point, strictly increasing; a missing
-  // pixel is a gap (no return, or occluded).
+  // Image column (horizontal stripe) or row (vertical) of each point, strictly increasing; a
+  // missing pixel is a gap (no return, or occluded).
   std::vector<int> pixel;
   std::vector<Eigen::Vector3d> p_L_m;  // same size as pixel
   // Rotation of the B/W camera at this stripe; the scan's own when absent.
@@ -64,8 +65,8 @@ struct ScanPlan {
   int64_t utime = 0;
   int32_t seq = 0;
   int64_t scan_id = 0;
-  PixelBox target_box;      // in the colour image taken at (pan_rad, tilt_rad)
-  double pan_rad = 0.0;     // head when the box was measured: defines the level frame L
+  PixelBox target_box;   // in the colour image taken at (pan_rad, tilt_rad)
+  double pan_rad = 0.0;  // head when the box was measured: defines the level frame L
   double tilt_rad = 0.0;
   double support_height_m = 0.0;  // of the plane that carries the target
   double distance_m = 0.0;        // horizontal, from the B/W camera to the target's foot

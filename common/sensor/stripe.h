@@ -42,9 +42,9 @@ struct Stripe {
   double x_m = 0.0, y_m = 0.0, heading_rad = 0.0;  // odometry; the robot stands still during a scan
   int64_t lit_utime = 0;
   int64_t unlit_utime = 0;
-  double lit_peak = 0.0;    // brightest levels of the difference inside and
+  double lit_peak = 0.0;     // brightest levels of the difference inside and
   double noise_level = 0.0;  // its noise (robust standard deviation), grey levels
-  Image difference;         // kGray8, or kPng of the same
+  Image difference;          // kGray8, or kPng of the same
 };
 
 }  // namespace geon::sensor

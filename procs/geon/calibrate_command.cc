@@ -169,7 +169,8 @@ void AddLutCommand(CLI::App* calibrate, int* exit_code) {
   simulated(command->add_option("--config", arguments->robot_file, "Robot file, for the rig"));
   simulated(
       command->add_option("--sim-config", arguments->sim_file, "What the simulated robot is like"));
-  simulated(command->add_option("--seed", arguments->seed, "Of the frames' noise; which robot it is, sim.yaml says"));
+  simulated(command->add_option("--seed", arguments->seed,
+                                "Of the frames' noise; which robot it is, sim.yaml says"));
   simulated(command->add_option("--from-m", arguments->steps.from_m, "Nearest board")
                 ->check(CLI::Range(0.1, 10.0)));
   simulated(command->add_option("--to-m", arguments->steps.to_m, "Farthest board")

@@ -29,7 +29,11 @@ void AddSession(const LogEvent& event, LogSummary* summary) {
   if (session->types_hash != messaging::TypesHash()) ++summary->foreign_sessions;
 }
 
+// What the LCM library sends itself when a process subscribes for the first time.
+constexpr std::string_view kLcmSelfTest = "LCM_SELF_TEST";
+
 void AddEvent(const LogEvent& event, messaging::BusStatistics* statistics, LogSummary* summary) {
+  if (event.channel == kLcmSelfTest) return;
   if (summary->events++ == 0) summary->first_utime = event.utime;
   summary->last_utime = std::max(summary->last_utime, event.utime);
   LogChannel& channel = summary->channels[event.channel];

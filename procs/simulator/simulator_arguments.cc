@@ -22,8 +22,7 @@ SimulatorArguments::SimulatorArguments()
   app_.add_option("--run-dir", run_directory_, "where devices and cameras appear")
       ->envname("GEON_RUN_DIR")
       ->capture_default_str();
-  app_.add_option("--seed", seed_, "of all noise")
-      ->capture_default_str();
+  app_.add_option("--seed", seed_, "of all noise")->capture_default_str();
   app_.add_option("--truth", truth_file_,
                   "file for what really happens (default: RUN-DIR/truth.jsonl)");
   app_.add_option("--config", config_file_, "robot file: the rig as designed")

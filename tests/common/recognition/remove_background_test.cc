@@ -29,12 +29,12 @@ sensor::ScanSet WallScan(const sensor::PixelBox& box) {
 TEST(RemoveBackground, KeepsTheColumnsOfTheTargetBoxAndAMargin) {
   const auto scan = WallScan({200, 100, 120, 100});
   BackgroundOptions options;
-  options.margin_px = 8;
+  options.margin_px = 10;
   const auto target =
       RemoveBackground(scan.profiles[0], scan, FindVerticalRegion(scan, options), options);
   ASSERT_FALSE(target.pixel.empty());
   EXPECT_EQ(target.pixel.front(), 192);
-  EXPECT_EQ(target.pixel.back(), 324);
+  EXPECT_EQ(target.pixel.back(), 328);
   EXPECT_EQ(target.on_target, static_cast<int32_t>(target.pixel.size()));
   EXPECT_EQ(target.p_L_m.size(), target.pixel.size());
 }

@@ -15,8 +15,8 @@ namespace geon::cli {
 namespace {
 
 // Runs `geon recognize ...`; what it says on stdout is kept.
-struct Run {
-  explicit Run(const std::string& line) {
+struct CommandRun {
+  explicit CommandRun(const std::string& line) {
     CLI::App app("geon");
     AddRecognizeCommand(app, &exit_code);
     testing::internal::CaptureStdout();
@@ -46,7 +46,7 @@ std::string ScanFile() {
 
 TEST(RecognizeCommand, PrintsAVerdictALineInOrder) {
   const std::string file = ScanFile();
-  const Run run("recognize --json " + file + " " + file);
+  const CommandRun run("recognize --json " + file + " " + file);
   EXPECT_EQ(run.exit_code, kOk);
   std::istringstream lines(run.out);
   int count = 0;
@@ -57,14 +57,14 @@ TEST(RecognizeCommand, PrintsAVerdictALineInOrder) {
 }
 
 TEST(RecognizeCommand, ABadFileFailsAndTheOthersAreStillRecognised) {
-  const Run run("recognize --json /no/such.json " + ScanFile());
+  const CommandRun run("recognize --json /no/such.json " + ScanFile());
   EXPECT_EQ(run.exit_code, kFailed);
   EXPECT_NE(run.err.find("/no/such.json"), std::string::npos);
   EXPECT_NE(run.out.find("geon.verdict.v1"), std::string::npos);
 }
 
 TEST(RecognizeCommand, ToldForPeopleItGivesReasons) {
-  EXPECT_NE(Run("recognize " + ScanFile()).out.find("bent"), std::string::npos);
+  EXPECT_NE(CommandRun("recognize " + ScanFile()).out.find("bent"), std::string::npos);
 }
 
 TEST(RecognizeCommand, RefusesAnUnknownMethod) {

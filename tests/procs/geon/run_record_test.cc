@@ -57,7 +57,7 @@ TEST_F(RunRecordTest, JoinsPhasesAndThinsThePath) {
   EXPECT_EQ(run.phases[1].text, "while in scan");
   EXPECT_DOUBLE_EQ(run.phases[0].end_s, run.phases[1].begin_s);
   EXPECT_DOUBLE_EQ(run.phases[1].end_s, run.duration_s);
-  EXPECT_EQ(run.path.size(), 2U);
+  EXPECT_EQ(run.path.size(), 3U);  // at 5, 30 and 50 mm: steps of 2 cm
   EXPECT_EQ(run.safe_states.size(), 3U);
   EXPECT_EQ(run.events, 20);
 }
