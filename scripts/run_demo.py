@@ -89,7 +89,7 @@ def print_result(result):
         print(f"verdict   none: {result['outcome']} ({result['text']})")
     else:
         print(f"verdict   {result['label']} (confidence {verdict['confidence']:.2f}, method {verdict['method']})")
-    for reason in verdict["evidence"]["reasons"]:
+    for reason in verdict.get("evidence", {}).get("reasons", []):
         print(f"          {reason}")
     print(f"truth     {result['truth']}: {'right' if result['correct'] else 'wrong'}")
     print(f"mission   {result['seconds']:.0f} s, {result['frames_lost']} messages lost, {result['restarts']} restarts")
