@@ -1,5 +1,6 @@
 #include "config/daemon_arguments.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -23,24 +24,46 @@ constexpr int kExitUsage = 2;
 DaemonArguments::DaemonArguments(const std::string& program, const std::string& purpose,
                                  const std::string& examples)
     : config_file(InstalledFile("scripts/config/robot.yaml")),
-      app_(purpose, program),
+      app_(std::make_unique<CLI::App>(purpose, program)),
       program_(program) {
-  app_.set_version_flag("--version", program + " " + BuildVersion());
-  app_.add_option("--config", config_file, "robot file; --check-config tells whether it is good")
+  app_->set_version_flag("--version", program + " " + BuildVersion());
+  app_->add_option("--config", config_file, "robot file; --check-config tells whether it is good")
       ->envname("GEON_CONFIG")
       ->capture_default_str();
-  app_.add_flag("--check-config", check_config, "check the robot file and exit");
-  app_.add_option("--lcm-url", lcm_url, "bus to use instead of the robot file's bus.url")
+  app_->add_flag("--check-config", check_config, "check the robot file and exit");
+  app_->add_option("--lcm-url", lcm_url, "bus to use instead of the robot file's bus.url")
       ->envname("LCM_DEFAULT_URL");
-  app_.footer("Examples:\n  " + examples +
-              "\nExit codes: 0 ok, 1 failed, 2 usage or bad configuration, 3 not ready.");
+  app_->footer("Examples:\n  " + examples +
+               "\nExit codes: 0 ok, 1 failed, 2 usage or bad configuration, 3 not ready.");
+}
+
+DaemonArguments::~DaemonArguments() = default;
+
+void DaemonArguments::AddOption(const std::string& name, std::string* value,
+                                const std::string& help) {
+  app_->add_option(name, *value, help);
+}
+
+void DaemonArguments::AddChoice(const std::string& name, std::string* value,
+                                const std::vector<std::string>& choices, const std::string& help) {
+  auto* option = app_->add_option(name, *value, help)->check(CLI::IsMember(choices));
+  if (!value->empty()) option->capture_default_str();
+}
+
+void DaemonArguments::AddNumber(const std::string& name, std::optional<uint32_t>* value,
+                                const std::string& help) {
+  app_->add_option(name, *value, help);
+}
+
+void DaemonArguments::AddFlag(const std::string& name, bool* value, const std::string& help) {
+  app_->add_flag(name, *value, help);
 }
 
 std::optional<int> DaemonArguments::Parse(int argc, char** argv) {
   try {
-    app_.parse(argc, argv);
+    app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app_.exit(error) == 0 ? 0 : kExitUsage;
+    return app_->exit(error) == 0 ? 0 : kExitUsage;
   }
   return std::nullopt;
 }

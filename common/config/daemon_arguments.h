@@ -1,19 +1,25 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/status.h"
 #include "config/yaml_section.h"
+
+namespace CLI {
+class App;
+}
 
 namespace geon::config {
 
 // The command line every daemon shares: --config, --check-config, --lcm-url, --version, --help.
 //
 //   DaemonArguments arguments("geon-ptu", "Drives the pan-tilt unit.", "geon-ptu --port /dev/x");
-//   arguments.app().add_option("--port", port, "...");
+//   arguments.AddOption("--port", &port, "...");
 //   if (auto exit_code = arguments.Parse(argc, argv)) return *exit_code;
 //
 // Exit codes: 0 ok, 1 failed, 2 usage or bad configuration, 3 not ready.
@@ -21,7 +27,15 @@ class DaemonArguments {
  public:
   DaemonArguments(const std::string& program, const std::string& purpose,
                   const std::string& examples);
-  CLI::App& app() { return app_; }
+  ~DaemonArguments();
+
+  // Options of one daemon only. Values outlive Parse() and keep what they hold where nothing is
+  // said.
+  void AddOption(const std::string& name, std::string* value, const std::string& help);
+  void AddChoice(const std::string& name, std::string* value,
+                 const std::vector<std::string>& choices, const std::string& help);
+  void AddNumber(const std::string& name, std::optional<uint32_t>* value, const std::string& help);
+  void AddFlag(const std::string& name, bool* value, const std::string& help);
 
   // Nothing to do but go on, or the exit code (help and version print and exit 0; usage errors 2).
   std::optional<int> Parse(int argc, char** argv);
@@ -36,7 +50,7 @@ class DaemonArguments {
   std::string lcm_url;  // --lcm-url, else $LCM_DEFAULT_URL, else empty: bus.url of the file
 
  private:
-  CLI::App app_;
+  std::unique_ptr<CLI::App> app_;
   std::string program_;
 };
 

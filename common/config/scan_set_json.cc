@@ -90,7 +90,7 @@ sensor::PixelBox ReadBox(const Node& node) {
   return box;
 }
 
-sensor::Laser ReadLaser(const Node& node) {
+sensor::Laser ReadLaserName(const Node& node) {
   const std::string name = node.Text();
   if (name == "horizontal") return sensor::Laser::kHorizontal;
   if (name == "vertical") return sensor::Laser::kVertical;
@@ -100,7 +100,7 @@ sensor::Laser ReadLaser(const Node& node) {
 sensor::RangeProfile ReadStripe(const Node& node, size_t index) {
   sensor::RangeProfile profile;
   profile.stripe_index = static_cast<int32_t>(index);
-  profile.laser = ReadLaser(node.At("laser"));
+  profile.laser = ReadLaserName(node.At("laser"));
   profile.fraction = node.At("fraction").Number();
   if (profile.fraction < 0.0 || profile.fraction > 1.0) {
     node.At("fraction").Refuse("must be between 0 and 1");

@@ -7,28 +7,27 @@
 namespace geon::device {
 namespace {
 
-constexpr size_t kLongestLine = 200;
+constexpr size_t kLongestHorusLine = 200;
 
 std::string EncodeLaser(std::string_view code, int number) {
   Require(number == 1 || number == 2, "laser number must be 1 or 2, is " + std::to_string(number));
   return std::string(code) + "T" + std::to_string(number) + "\r\n";
 }
 
-HorusLine Sort(std::string text) {
-  using Kind = HorusLine::Kind;
-  HorusLine line{Kind::kUnknown, std::move(text)};
+HorusLine SortHorusLine(std::string text) {
+  HorusLine line{HorusLine::Kind::kUnknown, std::move(text)};
   const std::string_view view = line.text;
   if (view == "ok") {
-    line.kind = Kind::kOk;
+    line.kind = HorusLine::Kind::kOk;
   } else if (view.starts_with("error:") || view.starts_with("ALARM:")) {
-    line.kind = Kind::kError;
+    line.kind = HorusLine::Kind::kError;
   } else if (view.starts_with("Horus 0.2")) {
-    line.kind = Kind::kBanner;
+    line.kind = HorusLine::Kind::kBanner;
   } else if (view.starts_with("Horus ") || view.starts_with("Grbl ")) {
-    line.kind = Kind::kForeignBanner;
+    line.kind = HorusLine::Kind::kForeignBanner;
   } else if ((view.front() == '[' && view.back() == ']') ||
              (view.front() == '<' && view.back() == '>')) {
-    line.kind = Kind::kNote;
+    line.kind = HorusLine::Kind::kNote;
   }
   return line;
 }
@@ -46,13 +45,13 @@ std::optional<HorusLine> HorusReader::Next() {
     return std::nullopt;
   }
   const size_t end = buffer_.find_first_of("\r\n", begin);
-  if (end == std::string::npos && buffer_.size() - begin <= kLongestLine) {
+  if (end == std::string::npos && buffer_.size() - begin <= kLongestHorusLine) {
     buffer_.erase(0, begin);
     return std::nullopt;
   }
-  std::string text = buffer_.substr(begin, std::min(end - begin, kLongestLine));
+  std::string text = buffer_.substr(begin, std::min(end - begin, kLongestHorusLine));
   buffer_.erase(0, begin + text.size());
-  return Sort(std::move(text));
+  return SortHorusLine(std::move(text));
 }
 
 }  // namespace geon::device

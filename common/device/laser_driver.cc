@@ -9,8 +9,8 @@ namespace geon::device {
 namespace {
 
 constexpr int kFailuresUntilRestart = 3;  // resend that often, then restart the board
-constexpr int kFailuresUntilFault = 6;
-constexpr double kLongestNoise_s = 2.0;  // a line that is never quiet is used after this
+constexpr int kLaserFailuresUntilFault = 6;
+constexpr double kLongestLaserNoise_s = 2.0;  // a line that is never quiet is used after this
 
 constexpr int IndexOf(sensor::Laser laser) {
   return laser == sensor::Laser::kNone ? -1 : static_cast<int>(laser) - 1;
@@ -120,7 +120,7 @@ void LaserDriver::Surprise(double time_s, const std::string& what) {
 std::string LaserDriver::NextCommand(double time_s) {
   if (phase_ == Phase::kQuiet) {
     const bool quiet = time_s - last_byte_s_ >= options_.quiet_s;
-    if (!quiet && time_s - phase_since_s_ < kLongestNoise_s) return {};
+    if (!quiet && time_s - phase_since_s_ < kLongestLaserNoise_s) return {};
     reader_.Clear();
     phase_since_s_ = last_refresh_s_ = time_s;
     if (failures_ >= kFailuresUntilRestart) {
@@ -178,7 +178,7 @@ void LaserDriver::UpdateReport() {
   } else if (in_step_) {
     report_.status = DeviceStatus::kReady;
   } else {
-    const bool fault = foreign_ || failures_ >= kFailuresUntilFault;
+    const bool fault = foreign_ || failures_ >= kLaserFailuresUntilFault;
     report_.status = fault ? DeviceStatus::kFault : DeviceStatus::kStarting;
   }
 }

@@ -14,8 +14,8 @@ namespace {
 constexpr double kMetresPerUnit = 0.1 * kMetresPerInch;
 constexpr double kRadiansPerUnit = 0.1 * kPi / 180.0;
 constexpr int kNoEcho = 255;
-constexpr int kFailuresUntilFault = 10;
-constexpr double kLongestNoise_s = 1.0;  // a line that is never quiet is used after this
+constexpr int kNomadFailuresUntilFault = 10;
+constexpr double kLongestNomadNoise_s = 1.0;  // a line that is never quiet is used after this
 constexpr double kTurretTolerance_rad = 0.005;
 
 // Towards zero: a limit is never exceeded by rounding.
@@ -81,7 +81,7 @@ void NomadDriver::StartOver(double time_s, const std::string& why) {
   send_at_once_ = stop_confirmed_ = report_.halted = false;
   set_up_ = false;
   report_.text = why;
-  report_.status = failures_ >= kFailuresUntilFault ? sensor::DeviceStatus::kFault
+  report_.status = failures_ >= kNomadFailuresUntilFault ? sensor::DeviceStatus::kFault
                                                     : sensor::DeviceStatus::kStarting;
 }
 
@@ -96,7 +96,7 @@ void NomadDriver::Fail(double time_s, const std::string& what) {
     report_.text = what;
     return;
   }
-  StartOver(time_s, failures_ < kFailuresUntilFault ? what : what + " (38400 baud, switched on?)");
+  StartOver(time_s, failures_ < kNomadFailuresUntilFault ? what : what + " (38400 baud, switched on?)");
 }
 
 std::string NomadDriver::Step(double time_s, std::string_view bytes_in) {
@@ -106,7 +106,7 @@ std::string NomadDriver::Step(double time_s, std::string_view bytes_in) {
   if (outstanding_ && time_s >= deadline_s_) Fail(time_s, "the base does not answer");
   if (phase_ == Phase::kQuiet) {
     const bool quiet = time_s - last_byte_s_ >= options_.quiet_s;
-    if (!quiet && time_s - phase_since_s_ < kLongestNoise_s) return {};
+    if (!quiet && time_s - phase_since_s_ < kLongestNomadNoise_s) return {};
     reader_.Clear();
     phase_ = set_up_ ? Phase::kRunning : Phase::kSetup;
     next_poll_s_ = time_s;

@@ -9,7 +9,7 @@
 namespace geon::device {
 namespace {
 
-constexpr size_t kLongestLine = 200;
+constexpr size_t kLongestPtuLine = 200;
 
 std::string_view Trim(std::string_view text) {
   const size_t begin = text.find_first_not_of(" \t");
@@ -24,7 +24,7 @@ bool SaysPanTilt(std::string_view text) {
   return upper.find("PAN-TILT") != std::string::npos;
 }
 
-PtuLine Sort(std::string_view text) {
+PtuLine SortPtuLine(std::string_view text) {
   using Kind = PtuLine::Kind;
   const size_t sign = text.find_first_of("*!");
   if (sign == std::string_view::npos) {
@@ -79,17 +79,17 @@ std::optional<PtuLine> PtuReader::Next() {
     return std::nullopt;
   }
   const size_t end = buffer_.find_first_of("\r\n", begin);
-  if (end == std::string::npos && buffer_.size() - begin <= kLongestLine) return std::nullopt;
-  const std::string text = buffer_.substr(begin, std::min(end - begin, kLongestLine));
+  if (end == std::string::npos && buffer_.size() - begin <= kLongestPtuLine) return std::nullopt;
+  const std::string text = buffer_.substr(begin, std::min(end - begin, kLongestPtuLine));
   buffer_.erase(0, begin + text.size());
-  return Sort(text);
+  return SortPtuLine(text);
 }
 
 std::optional<PtuLine> PtuReader::TakeUnfinished() {
   const size_t begin = buffer_.find_first_not_of("\r\n");
   if (begin == std::string::npos) return std::nullopt;
   const std::string text = std::exchange(buffer_, {}).substr(begin);
-  return Sort(text);
+  return SortPtuLine(text);
 }
 
 bool PtuReader::TakePanLimit() { return std::exchange(pan_limit_, false); }

@@ -10,9 +10,9 @@
 namespace geon::device {
 namespace {
 
-constexpr double kLongestNoise_s = 2.0;  // a line that is never quiet is used after this
+constexpr double kLongestPtuNoise_s = 2.0;  // a line that is never quiet is used after this
 constexpr double kUnendedLine_s = 0.3;   // silence that ends the answer to R without a line end
-constexpr int kFailuresUntilFault = 5;
+constexpr int kPtuFailuresUntilFault = 5;
 constexpr int kStallsUntilReset = 2;
 constexpr int kLargestCount = 100'000;  // a turn is 7000 counts at the usual resolution
 constexpr int kLargestSpeed = 100'000;
@@ -68,7 +68,7 @@ void PtuDriver::Enter(Phase phase, double time_s) {
       break;
     default:
       report_.status =
-          failures_ >= kFailuresUntilFault ? DeviceStatus::kFault : DeviceStatus::kStarting;
+          failures_ >= kPtuFailuresUntilFault ? DeviceStatus::kFault : DeviceStatus::kStarting;
   }
 }
 
@@ -145,7 +145,7 @@ std::string PtuDriver::AdvancePhase(double time_s) {
   if (std::exchange(stalled_, false)) Surprise(time_s, "the head stands short of its target");
   if (phase_ == Phase::kQuiet || phase_ == Phase::kFlush) {
     const bool quiet = time_s - last_byte_s_ >= options_.quiet_s;
-    if (!quiet && time_s - phase_since_s_ < kLongestNoise_s) return {};
+    if (!quiet && time_s - phase_since_s_ < kLongestPtuNoise_s) return {};
     reader_.Clear();
     if (phase_ == Phase::kQuiet) {
       // A bare delimiter ends whatever half command the unit holds.

@@ -15,7 +15,7 @@ constexpr size_t kHeaderSize = 28;  // sync 4, number 8, utime 8, channel length
 constexpr int64_t kLongestChannel = 63;
 constexpr int64_t kLongestData = 64 << 20;
 
-uint64_t BigEndian(const uint8_t* bytes, size_t size) {
+uint64_t BigEndianAt(const uint8_t* bytes, size_t size) {
   uint64_t bits = 0;
   for (size_t i = 0; i < size; ++i) bits = bits << 8 | bytes[i];
   return bits;
@@ -75,17 +75,17 @@ bool LogReader::ReadAt(int64_t position, void* to, size_t count) {
 std::optional<LogEvent> LogReader::EventAt(int64_t position, int64_t* end) {
   std::array<uint8_t, kHeaderSize> header{};
   if (!ReadAt(position, header.data(), header.size())) return std::nullopt;
-  if (BigEndian(header.data(), 4) != kSyncWord) return std::nullopt;
-  const auto channel_size = static_cast<int32_t>(BigEndian(&header[20], 4));
-  const auto data_size = static_cast<int32_t>(BigEndian(&header[24], 4));
+  if (BigEndianAt(header.data(), 4) != kSyncWord) return std::nullopt;
+  const auto channel_size = static_cast<int32_t>(BigEndianAt(&header[20], 4));
+  const auto data_size = static_cast<int32_t>(BigEndianAt(&header[24], 4));
   if (channel_size < 1 || channel_size > kLongestChannel) return std::nullopt;
   if (data_size < 0 || data_size > kLongestData) return std::nullopt;
   *end = position + static_cast<int64_t>(kHeaderSize) + channel_size + data_size;
   if (*end > size_) return std::nullopt;
 
   LogEvent event;
-  event.number = static_cast<int64_t>(BigEndian(&header[4], 8));
-  event.utime = static_cast<int64_t>(BigEndian(&header[12], 8));
+  event.number = static_cast<int64_t>(BigEndianAt(&header[4], 8));
+  event.utime = static_cast<int64_t>(BigEndianAt(&header[12], 8));
   event.channel.resize(static_cast<size_t>(channel_size));
   event.bytes.resize(static_cast<size_t>(data_size));
   if (!ReadAt(position + static_cast<int64_t>(kHeaderSize), event.channel.data(),
@@ -114,7 +114,7 @@ int64_t LogReader::FindSync(int64_t position) {
     const auto count = std::min<size_t>(block.size(), static_cast<size_t>(size_ - position));
     if (!ReadAt(position, block.data(), count)) return size_;
     for (size_t i = 0; i + 4 <= count; ++i) {
-      if (BigEndian(&block[i], 4) == kSyncWord) return position + static_cast<int64_t>(i);
+      if (BigEndianAt(&block[i], 4) == kSyncWord) return position + static_cast<int64_t>(i);
     }
     position += static_cast<int64_t>(count) - 3;
   }

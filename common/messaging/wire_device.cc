@@ -52,7 +52,7 @@ std::string WhyNotAnImage(const sensor::Image& image) {
 }
 
 constexpr sensor::DeviceStatus kLastStatus = sensor::DeviceStatus::kFault;
-constexpr sensor::Laser kLastLaser = sensor::Laser::kVertical;
+constexpr sensor::Laser kLastLaserLit = sensor::Laser::kVertical;
 
 }  // namespace
 
@@ -123,7 +123,7 @@ Result<sensor::Stripe> FromWire(const geon::stripe_t& wire) {
   stripe.scan_id = wire.scan_id;
   stripe.stripe_index = wire.stripe_index;
   stripe.attempt = wire.attempt;
-  stripe.laser = checks.Enumeration("laser", wire.laser, kLastLaser);
+  stripe.laser = checks.Enumeration("laser", wire.laser, kLastLaserLit);
   stripe.status = checks.Enumeration("status", wire.status, sensor::StripeStatus::kMoving);
   stripe.pan_rad = wire.pan_rad;
   stripe.tilt_rad = wire.tilt_rad;
@@ -158,7 +158,7 @@ Result<sensor::ScanCommand> FromWire(const geon::scan_command_t& wire) {
   FieldChecks checks;
   return checks.Finish(sensor::ScanCommand{wire.utime, wire.seq, wire.scan_id, wire.stripe_index,
                                            wire.attempt,
-                                           checks.Enumeration("laser", wire.laser, kLastLaser)});
+                                           checks.Enumeration("laser", wire.laser, kLastLaserLit)});
 }
 
 geon::ptu_state_t ToWire(const sensor::PtuState& state) {
@@ -239,7 +239,7 @@ Result<sensor::LaserState> FromWire(const geon::laser_state_t& wire) {
   state.utime = wire.utime;
   state.seq = wire.seq;
   state.status = checks.Enumeration("status", wire.status, kLastStatus);
-  state.laser = checks.Enumeration("laser", wire.laser, kLastLaser);
+  state.laser = checks.Enumeration("laser", wire.laser, kLastLaserLit);
   state.on_time_s = wire.on_time_s;
   return checks.Finish(state);
 }

@@ -9,7 +9,7 @@ namespace geon::messaging {
 namespace {
 
 constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
-constexpr sensor::Laser kLastLaser = sensor::Laser::kVertical;
+constexpr sensor::Laser kLastScanLaser = sensor::Laser::kVertical;
 
 geon::point2_t ToPoint(const Eigen::Vector2d& p_m) {
   geon::point2_t point{};
@@ -55,7 +55,7 @@ geon::profile_evidence_t ToEvidence(const sensor::ProfileEvidence& evidence) {
 Result<sensor::ProfileEvidence> FromEvidence(const geon::profile_evidence_t& wire) {
   FieldChecks checks;
   sensor::ProfileEvidence evidence;
-  evidence.laser = checks.Enumeration("laser", wire.laser, kLastLaser);
+  evidence.laser = checks.Enumeration("laser", wire.laser, kLastScanLaser);
   evidence.fraction = wire.fraction_1;
   evidence.points = wire.points;
   evidence.segments = wire.segments;
@@ -111,7 +111,7 @@ Result<sensor::ScanPlan> FromWire(const geon::scan_plan_t& wire) {
   checks.Finite("support_height_m", wire.support_height_m);
   checks.Finite("distance_m", wire.distance_m);
   for (const geon::planned_stripe_t& planned : wire.stripes) {
-    plan.stripes.push_back({checks.Enumeration("stripes.laser", planned.laser, kLastLaser),
+    plan.stripes.push_back({checks.Enumeration("stripes.laser", planned.laser, kLastScanLaser),
                             planned.fraction_1, planned.pan_rad, planned.tilt_rad});
     checks.Finite("stripes.fraction_1", planned.fraction_1);
     checks.Finite("stripes.pan_rad", planned.pan_rad);
@@ -159,7 +159,7 @@ Result<sensor::RangeProfile> FromWire(const geon::range_profile_t& wire) {
   profile.scan_id = wire.scan_id;
   profile.stripe_index = wire.stripe_index;
   profile.attempt = wire.attempt;
-  profile.laser = checks.Enumeration("laser", wire.laser, kLastLaser);
+  profile.laser = checks.Enumeration("laser", wire.laser, kLastScanLaser);
   profile.status = checks.Enumeration("status", wire.status, sensor::ProfileStatus::kRefused);
   profile.fraction = wire.fraction_1;
   profile.on_target = wire.on_target;

@@ -7,7 +7,7 @@ namespace geon::mission {
 namespace {
 
 constexpr double kOffAim_rad = 0.06;  // a third of the colour camera's half view
-constexpr double kFacing_rad = 0.10;
+constexpr double kFacingTarget_rad = 0.10;
 constexpr int kFloorLooks = 3;      // that may tell a desk from floor, before arriving at either
 constexpr double kUnseen_s = 12.0;  // then the estimate is no longer trusted
 
@@ -83,7 +83,7 @@ Transition ApproachPhase::Arrive(Context* context, const Eigen::Vector2d& target
   context->text = "facing the target";
   if (floor_looks_ < kFloorLooks) return std::nullopt;
   const double bearing_rad = std::atan2(target_R_m.y(), target_R_m.x());
-  if (std::abs(bearing_rad) > kFacing_rad) {
+  if (std::abs(bearing_rad) > kFacingTarget_rad) {
     context->wishes.velocity = context->drive.TurnTo(bearing_rad);
     return std::nullopt;
   }

@@ -4,7 +4,7 @@ namespace geon::mission {
 
 namespace {
 
-constexpr double kPatienceFactor_1 = 3.0;  // of the time the way takes at the slow speed
+constexpr double kWayPatienceFactor_1 = 3.0;  // of the time the way takes at the slow speed
 constexpr double kDone_m = 0.01;
 
 }  // namespace
@@ -21,7 +21,7 @@ Transition BackOffPhase::Step(Context* context) {
   const auto& driving = context->options.driving;
   const double moved_m = (context->senses.X_WR().translation().head<2>() - from_W_m_).norm();
   const double rest_m = driving.back_off_m - moved_m;
-  const double patience_s = kPatienceFactor_1 * driving.back_off_m / driving.back_off_speed_m_s;
+  const double patience_s = kWayPatienceFactor_1 * driving.back_off_m / driving.back_off_speed_m_s;
   if (rest_m > kDone_m && context->time_s - since_s_ < patience_s) {
     context->wishes.velocity = context->drive.Creep(direction_, rest_m, context->senses);
     return std::nullopt;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFaced_rad = 0.35;        // beyond this the robot turns to the target first
 constexpr double kNearEnough_m = 0.08;     // beyond the stopping distance
-constexpr double kPatienceFactor_1 = 3.0;  // of image_s: head still and a picture taken
+constexpr double kLookPatienceFactor_1 = 3.0;  // of image_s: head still and a picture taken
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void CentrePhase::Enter(Context* context) {
 
 Transition CentrePhase::Step(Context* context) {
   context->text = "bringing the whole target into view";
-  const double patience_s = kPatienceFactor_1 * context->options.patience.image_s;
+  const double patience_s = kLookPatienceFactor_1 * context->options.patience.image_s;
   if (context->time_s - pointed_s_ > patience_s) {
     return Next{Phase::kSearch, "the head did not come to rest for a picture"};
   }

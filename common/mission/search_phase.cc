@@ -8,7 +8,7 @@ namespace geon::mission {
 
 namespace {
 
-constexpr double kFacing_rad = 0.06;
+constexpr double kFacingSector_rad = 0.06;
 constexpr double kTurnPatience_s = 8.0;
 constexpr int kFloorSightings = 2;  // one alone may be a speck
 const active_vision::HeadAngles kAhead{0.0, -0.1};
@@ -83,7 +83,7 @@ void SearchPhase::Turn(Context* context) {
   context->text = "turning to the next sector";
   const double rest_rad = WrapAngle(heading_W_rad_ - context->senses.base().heading_rad);
   context->wishes.velocity = context->drive.TurnTo(rest_rad);
-  if (std::abs(rest_rad) < kFacing_rad || context->time_s - leg_since_s_ > kTurnPatience_s) {
+  if (std::abs(rest_rad) < kFacingSector_rad || context->time_s - leg_since_s_ > kTurnPatience_s) {
     StartSweep(context, context->options.looking.sweep);
   }
 }

@@ -6,12 +6,12 @@
 namespace geon::sim {
 namespace {
 
-constexpr double kTick_s = 0.001;
+constexpr double kHorusTick_s = 0.001;
 constexpr size_t kLineLength = 79;
 constexpr size_t kBufferLength = 127;
 constexpr size_t kQueuedMoves = 15;
 constexpr uint8_t kReset = 0x18;
-constexpr char kBanner[] = "\r\nHorus 0.2 ['$' for help]\r\n";
+constexpr char kHorusBanner[] = "\r\nHorus 0.2 ['$' for help]\r\n";
 constexpr char kHelp[] =
     "$$ (view settings)\r\n$x=value (save setting)\r\n$X (kill alarm lock)\r\n"
     "~ (cycle start)\r\n! (feed hold)\r\n? (current status)\r\nctrl-x (reset)\r\n";
@@ -54,18 +54,18 @@ void HorusEmulator::Receive(std::span<const uint8_t> bytes, double time_s) {
 std::vector<uint8_t> HorusEmulator::Transmit(double time_s) { return to_host_.PopAll(time_s); }
 
 void HorusEmulator::Advance(double time_s) {
-  while (static_cast<double>(ticks_ + 1) * kTick_s <= time_s) Tick();
+  while (static_cast<double>(ticks_ + 1) * kHorusTick_s <= time_s) Tick();
 }
 
 void HorusEmulator::Tick() {
   ++ticks_;
-  now_s_ = static_cast<double>(ticks_) * kTick_s;
+  now_s_ = static_cast<double>(ticks_) * kHorusTick_s;
   if (boot_until_s_) {
     from_host_.PopAll(now_s_);
     if (now_s_ < *boot_until_s_) return;
     boot_until_s_.reset();
     last_message_s_ = now_s_;
-    Send(kBanner);
+    Send(kHorusBanner);
     return;
   }
   StepMotor();
@@ -90,7 +90,7 @@ void HorusEmulator::StepMotor() {
     moves_.pop_front();
     motor_.MoveTo(current_->target_deg, current_->feed_deg_s, acceleration_deg_s2_);
   }
-  motor_.Step(kTick_s);
+  motor_.Step(kHorusTick_s);
   if (current_ && !motor_.moving() && motor_.position() == current_->target_deg) current_.reset();
 }
 
@@ -133,7 +133,7 @@ void HorusEmulator::SoftReset() {
     alarm_ = true;
     Send("ALARM: Abort during cycle\r\n");
   }
-  Send(kBanner);
+  Send(kHorusBanner);
   if (alarm_) Send("['$X' to unlock]\r\n");
 }
 

@@ -6,7 +6,7 @@
 namespace geon::sim {
 namespace {
 
-constexpr double kTick_s = 0.001;
+constexpr double kNomadTick_s = 0.001;
 constexpr int kTicksPerStep = 4;  // of the body: 250 steps a second
 constexpr double kTenthInch_m = 0.00254;
 constexpr double kTenthDegree_rad = kPi / 1800.0;
@@ -60,14 +60,14 @@ void NomadEmulator::Receive(std::span<const uint8_t> bytes, double time_s) {
 std::vector<uint8_t> NomadEmulator::Transmit(double time_s) { return to_host_.PopAll(time_s); }
 
 void NomadEmulator::Advance(double time_s) {
-  while (static_cast<double>(ticks_ + 1) * kTick_s <= time_s) Tick();
+  while (static_cast<double>(ticks_ + 1) * kNomadTick_s <= time_s) Tick();
 }
 
 void NomadEmulator::Tick() {
   ++ticks_;
-  now_s_ = static_cast<double>(ticks_) * kTick_s;
+  now_s_ = static_cast<double>(ticks_) * kNomadTick_s;
   if (ticks_ % kTicksPerStep == 0) {
-    drive_.Step(kTicksPerStep * kTick_s);
+    drive_.Step(kTicksPerStep * kNomadTick_s);
     sonar_.Advance(now_s_, TurretPose(drive_));
     infrared_.Advance(now_s_, TurretPose(drive_));
   }

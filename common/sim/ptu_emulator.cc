@@ -6,10 +6,10 @@
 namespace geon::sim {
 namespace {
 
-constexpr double kTick_s = 0.001;
+constexpr double kPtuTick_s = 0.001;
 constexpr size_t kLongestWord = 60;
 constexpr size_t kMutedBytes = 100;
-constexpr char kBanner[] =
+constexpr char kPtuBanner[] =
     "\r\n### PAN-TILT CONTROLLER v2.12.1d1\r\n### Directed Perception, Inc.\r\n*\r\n";
 
 // "@A(9600,8,N,F)" sets one of the two expansion ports, where nothing is connected.
@@ -26,7 +26,7 @@ PtuEmulator::PtuEmulator(const PtuEmulatorOptions& options)
   if (options.starts_with_reset) {
     PowerCycle(0.0);
   } else {
-    Send(kBanner);
+    Send(kPtuBanner);
   }
 }
 
@@ -50,20 +50,20 @@ void PtuEmulator::Receive(std::span<const uint8_t> bytes, double time_s) {
 std::vector<uint8_t> PtuEmulator::Transmit(double time_s) { return to_host_.PopAll(time_s); }
 
 void PtuEmulator::Advance(double time_s) {
-  while (static_cast<double>(ticks_ + 1) * kTick_s <= time_s) Tick();
+  while (static_cast<double>(ticks_ + 1) * kPtuTick_s <= time_s) Tick();
 }
 
 void PtuEmulator::Tick() {
   ++ticks_;
-  now_s_ = static_cast<double>(ticks_) * kTick_s;
-  const std::string events = unit_.Step(kTick_s);
+  now_s_ = static_cast<double>(ticks_) * kPtuTick_s;
+  const std::string events = unit_.Step(kPtuTick_s);
   if (powering_up_) {
     // What it finds while it hunts for its stops after power-up it keeps to itself, and it is deaf.
     while (from_host_.Pop(now_s_)) {
     }
     if (unit_.resetting()) return;
     powering_up_ = false;
-    Send(kBanner);
+    Send(kPtuBanner);
     return;
   }
   Send(events);

@@ -17,21 +17,21 @@ struct LogArguments {
   bool json = false;
 };
 
-int Fail(const Status& status) {
+int FailedToReadLog(const Status& status) {
   std::cerr << "geon log: " << status.message() << '\n';
   return kFailed;
 }
 
 int Info(const LogArguments& arguments) {
   const Result<LogSummary> summary = SummarizeLog(arguments.file);
-  if (!summary.ok()) return Fail(summary.status());
+  if (!summary.ok()) return FailedToReadLog(summary.status());
   std::cout << (arguments.json ? ToJson(*summary).dump() + "\n" : ToText(*summary));
   return summary->Complaint().empty() ? kOk : kFailed;
 }
 
 int Check(const LogArguments& arguments) {
   const Result<LogSummary> summary = SummarizeLog(arguments.file);
-  if (!summary.ok()) return Fail(summary.status());
+  if (!summary.ok()) return FailedToReadLog(summary.status());
   const std::string complaint = summary->Complaint();
   if (arguments.json) {
     std::cout << ToJson(*summary).dump() << '\n';
@@ -57,7 +57,7 @@ nlohmann::ordered_json EventJson(const messaging::LogEvent& event) {
 
 int Export(const LogArguments& arguments) {
   Result<messaging::LogReader> log = messaging::LogReader::Open(arguments.file);
-  if (!log.ok()) return Fail(log.status());
+  if (!log.ok()) return FailedToReadLog(log.status());
   const std::regex channel(arguments.channel);
   while (const std::optional<messaging::LogEvent> event = log->Next()) {
     if (!std::regex_match(event->channel, channel)) continue;
@@ -67,7 +67,7 @@ int Export(const LogArguments& arguments) {
               << '\n';
   }
   if (!log->damage().any()) return kOk;
-  return Fail(Status::Error(arguments.file + ": " + messaging::Describe(log->damage())));
+  return FailedToReadLog(Status::Error(arguments.file + ": " + messaging::Describe(log->damage())));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace geon::cli {
 namespace {
 
-struct Arguments {
+struct RecognizeArguments {
   std::vector<std::string> files;
   RecognitionArguments recognition;
   bool json = false;
@@ -43,7 +43,7 @@ bool Recognize(const std::string& file, const recognition::RecognitionOptions& o
 }  // namespace
 
 void AddRecognizeCommand(CLI::App& app, int* exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RecognizeArguments>();
   CLI::App* command = app.add_subcommand("recognize", "Names the geons that scan sets show.");
   command->add_option("FILE", arguments->files, "scan sets (geon.scan_set.v1)")->required();
   AddRecognitionArguments(*command, &arguments->recognition);

@@ -14,7 +14,7 @@
 namespace geon::cli {
 namespace {
 
-struct Arguments {
+struct ReplayArguments {
   std::string log;
   std::string config_file = config::InstalledFile("scripts/config/robot.yaml").string();
   std::string calibration;
@@ -111,7 +111,7 @@ void PrintJson(const ReplayedLog& log, const std::string& file,
   std::cout << root.dump(-1, ' ', false, ordered_json::error_handler_t::replace) << "\n";
 }
 
-int Replay(const Arguments& arguments) {
+int Replay(const ReplayArguments& arguments) {
   auto config = recognizer::LoadRecognizerConfig(arguments.config_file, arguments.calibration);
   if (!config.ok()) {
     std::cerr << "geon replay: " << config.message() << "\n";
@@ -148,7 +148,7 @@ int Replay(const Arguments& arguments) {
 }  // namespace
 
 void AddReplayCommand(CLI::App& app, int* exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = app.add_subcommand(
       "replay", "Runs perception over a recorded log: the same verdicts as live.");
   command->add_option("LOG", arguments->log, "a log of lcm-logger")->required();

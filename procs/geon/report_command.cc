@@ -14,7 +14,7 @@
 namespace geon::cli {
 namespace {
 
-struct Arguments {
+struct ReportArguments {
   std::string log;
   std::string truth_file;
   std::string config_file = config::InstalledFile("scripts/config/robot.yaml").string();
@@ -30,12 +30,12 @@ Result<geometry::SensorRig> LoadRig(const std::string& robot_file) {
   return rig;
 }
 
-int Fail(const Status& status) {
+int FailedToReport(const Status& status) {
   std::cerr << "geon report: " << status.message() << "\n";
   return kFailed;
 }
 
-std::string JsonLine(const Arguments& arguments, const RunRecord& run,
+std::string JsonLine(const ReportArguments& arguments, const RunRecord& run,
                      const std::optional<GeonLabel>& truth) {
   nlohmann::ordered_json line = {{"format", "geon.report.v1"},
                                  {"report", arguments.output},
@@ -50,21 +50,21 @@ std::string JsonLine(const Arguments& arguments, const RunRecord& run,
   return line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-int Report(const Arguments& arguments) {
+int Report(const ReportArguments& arguments) {
   const auto rig = LoadRig(arguments.config_file);
-  if (!rig.ok()) return Fail(rig.status());
+  if (!rig.ok()) return FailedToReport(rig.status());
   std::optional<Truth> truth;
   if (!arguments.truth_file.empty()) {
     auto loaded = LoadTruth(arguments.truth_file);
-    if (!loaded.ok()) return Fail(loaded.status());
+    if (!loaded.ok()) return FailedToReport(loaded.status());
     truth = *loaded;
   }
   const auto run = ReadRun(arguments.log);
-  if (!run.ok()) return Fail(run.status());
-  if (run->events == 0) return Fail(Status::Error(arguments.log + ": holds no whole message"));
+  if (!run.ok()) return FailedToReport(run.status());
+  if (run->events == 0) return FailedToReport(Status::Error(arguments.log + ": holds no whole message"));
   const Status written =
       config::WriteFileAtomically(arguments.output, ReportPage(*run, *rig, truth));
-  if (!written.ok()) return Fail(written);
+  if (!written.ok()) return FailedToReport(written);
 
   const auto true_label = truth ? TrueLabel(*run, *truth) : std::nullopt;
   if (arguments.json) {
@@ -78,7 +78,7 @@ int Report(const Arguments& arguments) {
 }  // namespace
 
 void AddReportCommand(CLI::App& app, int* exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReportArguments>();
   CLI::App* command = app.add_subcommand("report", "Writes one page that tells a recorded run.");
   command->add_option("LOG", arguments->log, "a log of lcm-logger")->required();
   command->add_option("--truth", arguments->truth_file,

@@ -11,8 +11,7 @@ namespace geon::planner {
 
 namespace {
 
-constexpr double kStepPeriod_s = 0.05;
-constexpr double kBaseCommandPeriod_s = 0.1;
+constexpr double kStepPeriod_s = 0.05;  // a base command each time: the base obeys it 0.15 s
 constexpr double kStatePeriod_s = 0.2;
 constexpr int kViewQuality = 80;
 constexpr int kStatesAfterEnd = 5;  // so that whoever listens has heard the end
@@ -31,7 +30,6 @@ PlannerNode::PlannerNode(const PlannerConfig& config, messaging::Bus* bus,
   Subscribe();
   loop->Watch(bus->file_descriptor(), [bus] { bus->HandlePending(); });
   loop->Every(kStepPeriod_s, [this] { Step(); });
-  loop->Every(kBaseCommandPeriod_s, [this] { SendBaseCommand(); });
   loop->Every(kStatePeriod_s, [this] {
     SendState();
     Report();
@@ -91,10 +89,10 @@ void PlannerNode::Step() {
   const mission::Wishes wishes = mission_.Step(messaging::MonotonicSeconds());
   velocity_ = wishes.velocity;
   Send(wishes);
+  SendBaseCommand();
   if (mission_.phase() == told_phase_) return;
   told_phase_ = mission_.phase();
   spdlog::info("{} phase={}", mission_.State().text, ToString(told_phase_));
-  SendBaseCommand();
   SendState();
 }
 

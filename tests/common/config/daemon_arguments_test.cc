@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::optional<int> Parse(DaemonArguments& arguments, std::vector<std::string> words) {
+std::optional<int> ParseWords(DaemonArguments& arguments, std::vector<std::string> words) {
   words.insert(words.begin(), "geon-test");
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
@@ -29,7 +29,7 @@ class DaemonArgumentsTest : public ::testing::Test {
 };
 
 TEST_F(DaemonArgumentsTest, DefaultsAreTheInstalledRobotFileAndTheBusOfTheFile) {
-  EXPECT_EQ(Parse(arguments_, {}), std::nullopt);
+  EXPECT_EQ(ParseWords(arguments_, {}), std::nullopt);
   EXPECT_TRUE(std::filesystem::exists(arguments_.config_file)) << arguments_.config_file;
   EXPECT_FALSE(arguments_.check_config);
   EXPECT_TRUE(arguments_.lcm_url.empty());
@@ -38,7 +38,8 @@ TEST_F(DaemonArgumentsTest, DefaultsAreTheInstalledRobotFileAndTheBusOfTheFile) 
 TEST_F(DaemonArgumentsTest, EnvironmentIsUsedAndTheCommandLineBeatsIt) {
   setenv("GEON_CONFIG", "/tmp/from_environment.yaml", 1);
   setenv("LCM_DEFAULT_URL", "udpm://239.1.1.1:1?ttl=0", 1);
-  EXPECT_EQ(Parse(arguments_, {"--config", "/tmp/from_line.yaml", "--check-config"}), std::nullopt);
+  EXPECT_EQ(ParseWords(arguments_, {"--config", "/tmp/from_line.yaml", "--check-config"}),
+            std::nullopt);
   EXPECT_EQ(arguments_.config_file, "/tmp/from_line.yaml");
   EXPECT_EQ(arguments_.lcm_url, "udpm://239.1.1.1:1?ttl=0");
   EXPECT_TRUE(arguments_.check_config);
@@ -46,7 +47,7 @@ TEST_F(DaemonArgumentsTest, EnvironmentIsUsedAndTheCommandLineBeatsIt) {
 
 TEST_F(DaemonArgumentsTest, HelpShowsExamplesAndExitsWithZero) {
   testing::internal::CaptureStdout();
-  EXPECT_EQ(Parse(arguments_, {"--help"}), 0);
+  EXPECT_EQ(ParseWords(arguments_, {"--help"}), 0);
   const std::string help = testing::internal::GetCapturedStdout();
   EXPECT_THAT(help, HasSubstr("geon-test --port x"));
   EXPECT_THAT(help, HasSubstr("Exit codes"));
@@ -54,15 +55,33 @@ TEST_F(DaemonArgumentsTest, HelpShowsExamplesAndExitsWithZero) {
 
 TEST_F(DaemonArgumentsTest, VersionNamesTheProgramAndTheBuild) {
   testing::internal::CaptureStdout();
-  EXPECT_EQ(Parse(arguments_, {"--version"}), 0);
+  EXPECT_EQ(ParseWords(arguments_, {"--version"}), 0);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "geon-test " + BuildVersion() + "\n");
   EXPECT_FALSE(BuildVersion().empty());
 }
 
 TEST_F(DaemonArgumentsTest, UnknownOptionIsAUsageError) {
   testing::internal::CaptureStderr();
-  EXPECT_EQ(Parse(arguments_, {"--prot", "x"}), 2);
+  EXPECT_EQ(ParseWords(arguments_, {"--prot", "x"}), 2);
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("--prot"));
+}
+
+TEST_F(DaemonArgumentsTest, OptionsOfOneDaemonAreReadIntoTheirValues) {
+  std::string port, camera = "head";
+  std::optional<uint32_t> seed;
+  bool once = false;
+  arguments_.AddOption("--port", &port, "serial device");
+  arguments_.AddChoice("--camera", &camera, {"head", "floor"}, "which camera");
+  arguments_.AddNumber("--seed", &seed, "of the noise");
+  arguments_.AddFlag("--once", &once, "only once");
+  EXPECT_EQ(ParseWords(arguments_, {"--port", "/dev/x", "--seed", "7", "--once"}), std::nullopt);
+  EXPECT_EQ(port, "/dev/x");
+  EXPECT_EQ(camera, "head");
+  EXPECT_EQ(seed, 7U);
+  EXPECT_TRUE(once);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(ParseWords(arguments_, {"--camera", "left"}), 2);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("--camera"));
 }
 
 TEST_F(DaemonArgumentsTest, RefusalSaysWhyAndIsAUsageError) {

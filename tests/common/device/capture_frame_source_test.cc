@@ -11,7 +11,7 @@
 namespace geon::device {
 namespace {
 
-using Kind = CaptureFrameSource::Kind;
+using SourceKind = CaptureFrameSource::Kind;
 
 // Three small pictures of levels 50, 100, 150.
 class CaptureFrameSourceTest : public testing::Test {
@@ -47,7 +47,7 @@ class CaptureFrameSourceTest : public testing::Test {
 };
 
 TEST_F(CaptureFrameSourceTest, DeliversPicturesAgainAndAgain) {
-  CaptureFrameSource source(Kind::kImages, Pictures(), options_);
+  CaptureFrameSource source(SourceKind::kImages, Pictures(), options_);
   int32_t last_seq = 0;
   for (int i = 0; i < 8; ++i) {
     const auto frame = PollUntilSomething(&source);
@@ -63,7 +63,7 @@ TEST_F(CaptureFrameSourceTest, DeliversPicturesAgainAndAgain) {
 
 TEST_F(CaptureFrameSourceTest, ColourBecomesGreyWhereGreyIsWanted) {
   options_.format = sensor::PixelFormat::kGray8;
-  CaptureFrameSource source(Kind::kImages, Pictures(), options_);
+  CaptureFrameSource source(SourceKind::kImages, Pictures(), options_);
   const auto frame = PollUntilSomething(&source);
   ASSERT_TRUE(frame.ok()) << frame.message();
   EXPECT_EQ((*frame)->format, sensor::PixelFormat::kGray8);
@@ -72,14 +72,14 @@ TEST_F(CaptureFrameSourceTest, ColourBecomesGreyWhereGreyIsWanted) {
 
 TEST_F(CaptureFrameSourceTest, FramesOfAnotherSizeAreAnError) {
   options_.width_px = 9;
-  CaptureFrameSource source(Kind::kImages, Pictures(), options_);
+  CaptureFrameSource source(SourceKind::kImages, Pictures(), options_);
   const auto frame = PollUntilSomething(&source);
   ASSERT_FALSE(frame.ok());
   EXPECT_NE(frame.message().find("8x6, not 9x6"), std::string::npos) << frame.message();
 }
 
 TEST_F(CaptureFrameSourceTest, WhatDoesNotOpenIsTriedAgainWithBackOff) {
-  CaptureFrameSource source(Kind::kImages, (folder_ / "none_%05d.png").string(), options_);
+  CaptureFrameSource source(SourceKind::kImages, (folder_ / "none_%05d.png").string(), options_);
   ASSERT_FALSE(PollUntilSomething(&source).ok());
   const auto waiting = source.Poll(1.1);  // before the retry is due
   EXPECT_NE(waiting.message().find("does not open"), std::string::npos) << waiting.message();
@@ -89,7 +89,7 @@ TEST_F(CaptureFrameSourceTest, WhatDoesNotOpenIsTriedAgainWithBackOff) {
 
 TEST_F(CaptureFrameSourceTest, ASourceThatFallsSilentIsReopened) {
   options_.file_rate_hz = 20.0;
-  CaptureFrameSource source(Kind::kImages, Pictures(), options_);
+  CaptureFrameSource source(SourceKind::kImages, Pictures(), options_);
   ASSERT_TRUE(PollUntilSomething(&source).ok());
   Result<std::optional<sensor::Image>> frame = source.Poll(100.0);
   for (int i = 0; i < 50 && frame.ok() && frame->has_value(); ++i) frame = source.Poll(200.0 + i);

@@ -11,9 +11,9 @@
 namespace geon::device {
 namespace {
 
-using Kind = HorusLine::Kind;
+using HorusKind = HorusLine::Kind;
 
-std::vector<HorusLine> Lines(HorusReader* reader, const std::string& bytes) {
+std::vector<HorusLine> HorusLines(HorusReader* reader, const std::string& bytes) {
   reader->Push(bytes);
   std::vector<HorusLine> lines;
   while (const auto line = reader->Next()) lines.push_back(*line);
@@ -29,24 +29,24 @@ TEST(HorusCodecTest, CommandsAreOneToALine) {
 TEST(HorusCodecTest, SortsWhatTheBoardSays) {
   HorusReader reader;
   const auto lines =
-      Lines(&reader,
+      HorusLines(&reader,
             "\r\nHorus 0.2 ['$' for help]\r\nok\r\nerror: Unsupported command\r\n"
             "ALARM: x\r\n[Caution]\r\n<Idle,MPos:0.000>\r\nHorus 0.1\r\nok?\r\n\xff\n");
   ASSERT_EQ(lines.size(), 9u);
-  const std::vector<Kind> kinds = {Kind::kBanner,        Kind::kOk,      Kind::kError,
-                                   Kind::kError,         Kind::kNote,    Kind::kNote,
-                                   Kind::kForeignBanner, Kind::kUnknown, Kind::kUnknown};
+  const std::vector<HorusKind> kinds = {HorusKind::kBanner,        HorusKind::kOk,      HorusKind::kError,
+                                   HorusKind::kError,         HorusKind::kNote,    HorusKind::kNote,
+                                   HorusKind::kForeignBanner, HorusKind::kUnknown, HorusKind::kUnknown};
   for (size_t i = 0; i < kinds.size(); ++i) EXPECT_EQ(lines[i].kind, kinds[i]) << lines[i].text;
 }
 
 TEST(HorusCodecTest, ALineMayComeInPieces) {
   HorusReader reader;
-  EXPECT_TRUE(Lines(&reader, "o").empty());
-  EXPECT_TRUE(Lines(&reader, "k").empty());
-  const auto lines = Lines(&reader, "\r");
+  EXPECT_TRUE(HorusLines(&reader, "o").empty());
+  EXPECT_TRUE(HorusLines(&reader, "k").empty());
+  const auto lines = HorusLines(&reader, "\r");
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_EQ(lines[0].kind, Kind::kOk);
-  EXPECT_TRUE(Lines(&reader, "\n").empty());
+  EXPECT_EQ(lines[0].kind, HorusKind::kOk);
+  EXPECT_TRUE(HorusLines(&reader, "\n").empty());
 }
 
 TEST(HorusCodecTest, AnyBytesAreFollowedByStep) {
@@ -55,10 +55,10 @@ TEST(HorusCodecTest, AnyBytesAreFollowedByStep) {
     HorusReader reader;
     std::string noise(random() % 300, '\0');
     for (char& byte : noise) byte = static_cast<char>(random());
-    Lines(&reader, noise + "\r\n");
-    const auto lines = Lines(&reader, "ok\r\n");
+    HorusLines(&reader, noise + "\r\n");
+    const auto lines = HorusLines(&reader, "ok\r\n");
     ASSERT_EQ(lines.size(), 1u);
-    ASSERT_EQ(lines[0].kind, Kind::kOk);
+    ASSERT_EQ(lines[0].kind, HorusKind::kOk);
   }
 }
 

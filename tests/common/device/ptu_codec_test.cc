@@ -9,9 +9,9 @@
 namespace geon::device {
 namespace {
 
-using Kind = PtuLine::Kind;
+using PtuKind = PtuLine::Kind;
 
-std::vector<PtuLine> Lines(PtuReader* reader, const std::string& bytes) {
+std::vector<PtuLine> PtuLines(PtuReader* reader, const std::string& bytes) {
   reader->Push(bytes);
   std::vector<PtuLine> lines;
   while (const auto line = reader->Next()) lines.push_back(*line);
@@ -26,7 +26,7 @@ TEST(PtuCodecTest, CommandsAreLettersNumberAndADelimiter) {
 
 TEST(PtuCodecTest, SortsTerseVerboseEchoedAndRefusedAnswers) {
   PtuReader reader;
-  const auto lines = Lines(&reader,
+  const auto lines = PtuLines(&reader,
                            "* 123\r\n"
                            "PP * Current Pan position is 0\r\n"
                            "! Maximum allowable Pan position is 3090\r\n"
@@ -34,18 +34,18 @@ TEST(PtuCodecTest, SortsTerseVerboseEchoedAndRefusedAnswers) {
                            "### PAN-TILT CONTROLLER ***\r\n"
                            "what\r\n");
   ASSERT_EQ(lines.size(), 6u);
-  EXPECT_EQ(lines[0].kind, Kind::kDone);
+  EXPECT_EQ(lines[0].kind, PtuKind::kDone);
   EXPECT_EQ(lines[0].text, "123");
   EXPECT_EQ(lines[0].echo, "");
-  EXPECT_EQ(lines[1].kind, Kind::kDone);
+  EXPECT_EQ(lines[1].kind, PtuKind::kDone);
   EXPECT_EQ(lines[1].echo, "PP");
   EXPECT_EQ(lines[1].text, "Current Pan position is 0");
-  EXPECT_EQ(lines[2].kind, Kind::kRefused);
+  EXPECT_EQ(lines[2].kind, PtuKind::kRefused);
   EXPECT_EQ(lines[2].text, "Maximum allowable Pan position is 3090");
-  EXPECT_EQ(lines[3].kind, Kind::kDone);
+  EXPECT_EQ(lines[3].kind, PtuKind::kDone);
   EXPECT_EQ(lines[3].text, "");
-  EXPECT_EQ(lines[4].kind, Kind::kBanner);
-  EXPECT_EQ(lines[5].kind, Kind::kUnknown);
+  EXPECT_EQ(lines[4].kind, PtuKind::kBanner);
+  EXPECT_EQ(lines[5].kind, PtuKind::kUnknown);
 }
 
 TEST(PtuCodecTest, TakesLimitMarksOutWhereverTheyAre) {
@@ -53,9 +53,9 @@ TEST(PtuCodecTest, TakesLimitMarksOutWhereverTheyAre) {
     PtuReader reader;
     std::string bytes = "* 123\r\n";
     bytes.insert(at, "!T");
-    const auto lines = Lines(&reader, bytes);
+    const auto lines = PtuLines(&reader, bytes);
     ASSERT_EQ(lines.size(), 1u) << at;
-    EXPECT_EQ(lines[0].kind, Kind::kDone) << at;
+    EXPECT_EQ(lines[0].kind, PtuKind::kDone) << at;
     EXPECT_EQ(lines[0].text, "123") << at;
     EXPECT_TRUE(reader.TakeTiltLimit()) << at;
     EXPECT_FALSE(reader.TakeTiltLimit()) << at;
@@ -65,23 +65,23 @@ TEST(PtuCodecTest, TakesLimitMarksOutWhereverTheyAre) {
 
 TEST(PtuCodecTest, AMarkIsKnownBeforeAnyLineEnd) {
   PtuReader reader;
-  EXPECT_TRUE(Lines(&reader, "!").empty());
+  EXPECT_TRUE(PtuLines(&reader, "!").empty());
   EXPECT_FALSE(reader.TakePanLimit());
-  EXPECT_TRUE(Lines(&reader, "P").empty());
+  EXPECT_TRUE(PtuLines(&reader, "P").empty());
   EXPECT_TRUE(reader.TakePanLimit());
 }
 
 TEST(PtuCodecTest, ResetAnswersWithMarksAndAStarThatMayLackItsLineEnd) {
   PtuReader reader;
-  EXPECT_TRUE(Lines(&reader, "!T!T!P!P*").empty());
+  EXPECT_TRUE(PtuLines(&reader, "!T!T!P!P*").empty());
   const auto line = reader.TakeUnfinished();
   ASSERT_TRUE(line.has_value());
-  EXPECT_EQ(line->kind, Kind::kDone);
+  EXPECT_EQ(line->kind, PtuKind::kDone);
   EXPECT_EQ(line->text, "");
   EXPECT_TRUE(reader.TakePanLimit());
   EXPECT_TRUE(reader.TakeTiltLimit());
   // The line end that some firmware adds later is not a second answer.
-  EXPECT_TRUE(Lines(&reader, "\r\n").empty());
+  EXPECT_TRUE(PtuLines(&reader, "\r\n").empty());
   EXPECT_FALSE(reader.TakeUnfinished().has_value());
 }
 
@@ -98,7 +98,7 @@ TEST(PtuCodecTest, OnlyAWholeNumberIsANumber) {
 
 TEST(PtuCodecTest, AFloodWithoutLineEndDoesNotGrowForever) {
   PtuReader reader;
-  const auto lines = Lines(&reader, std::string(10'000, 'x'));
+  const auto lines = PtuLines(&reader, std::string(10'000, 'x'));
   EXPECT_GE(lines.size(), 40u);
   EXPECT_LE(reader.TakeUnfinished()->text.size(), 200u);
 }
@@ -109,8 +109,8 @@ TEST(PtuCodecTest, AnyBytesAreFollowedByStep) {
     PtuReader reader;
     std::string noise(random() % 40, '\0');
     for (char& byte : noise) byte = static_cast<char>(random());
-    Lines(&reader, noise + "\r\n");
-    const auto lines = Lines(&reader, "* 7\r\n");
+    PtuLines(&reader, noise + "\r\n");
+    const auto lines = PtuLines(&reader, "* 7\r\n");
     ASSERT_EQ(lines.size(), 1u);
     ASSERT_EQ(lines[0].text, "7");
   }

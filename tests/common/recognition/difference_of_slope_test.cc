@@ -10,7 +10,7 @@
 namespace geon::recognition {
 namespace {
 
-constexpr int kSamples = 80;
+constexpr int kPlotSamples = 80;
 
 CurveFeatures FeaturesOf(const std::vector<Eigen::Vector2d>& curve_m,
                          const DifferenceOfSlopeOptions& options = {}) {
@@ -20,26 +20,26 @@ CurveFeatures FeaturesOf(const std::vector<Eigen::Vector2d>& curve_m,
 ThetaPlot PlotOf(std::vector<double> theta_rad) { return {11, std::move(theta_rad)}; }
 
 TEST(ThetaPlot, IsZeroOnALineAndHasOneValueASample) {
-  const ThetaPlot plot = ComputeThetaPlot(PolylineCurve(0.2, {}, kSamples), {});
-  EXPECT_EQ(plot.theta_rad.size(), static_cast<size_t>(kSamples - 23 + 1));
+  const ThetaPlot plot = ComputeThetaPlot(PolylineCurve(0.2, {}, kPlotSamples), {});
+  EXPECT_EQ(plot.theta_rad.size(), static_cast<size_t>(kPlotSamples - 23 + 1));
   EXPECT_EQ(plot.first, 11);
   for (const double theta_rad : plot.theta_rad) EXPECT_NEAR(theta_rad, 0.0, 1e-9);
 }
 
 TEST(ThetaPlot, PeaksWithTheCornersAngleWhereTheCornerIs) {
-  const ThetaPlot plot = ComputeThetaPlot(PolylineCurve(0.1, {1.2}, kSamples), {});
+  const ThetaPlot plot = ComputeThetaPlot(PolylineCurve(0.1, {1.2}, kPlotSamples), {});
   const auto peak = std::max_element(plot.theta_rad.begin(), plot.theta_rad.end());
   EXPECT_NEAR(*peak, 1.2, 0.02);
-  EXPECT_NEAR(plot.first + static_cast<double>(peak - plot.theta_rad.begin()), 0.5 * kSamples, 2.0);
+  EXPECT_NEAR(plot.first + static_cast<double>(peak - plot.theta_rad.begin()), 0.5 * kPlotSamples, 2.0);
 }
 
 TEST(ThetaPlot, IsConstantOnAnArcAndNegativeOnAConcaveOne) {
   // The lines lie W + M samples apart, from middle to middle.
-  const double expected_rad = 1.5 * 13.0 / (kSamples - 1);
-  for (const double theta_rad : ComputeThetaPlot(ArcCurve(0.1, 1.5, kSamples), {}).theta_rad) {
+  const double expected_rad = 1.5 * 13.0 / (kPlotSamples - 1);
+  for (const double theta_rad : ComputeThetaPlot(ArcCurve(0.1, 1.5, kPlotSamples), {}).theta_rad) {
     EXPECT_NEAR(theta_rad, expected_rad, 0.01);
   }
-  for (const double theta_rad : ComputeThetaPlot(ArcCurve(0.1, -1.5, kSamples), {}).theta_rad) {
+  for (const double theta_rad : ComputeThetaPlot(ArcCurve(0.1, -1.5, kPlotSamples), {}).theta_rad) {
     EXPECT_NEAR(theta_rad, -expected_rad, 0.01);
   }
 }
@@ -52,32 +52,32 @@ TEST(ThetaPlot, IsEmptyForACurveShorterThanTwoWindowsAndAGap) {
 TEST(ThetaPlot, FollowsAProfileThatRunsInDepth) {
   // A vertical run has no slope y(x); its direction is as good as any.
   std::vector<Eigen::Vector2d> curve_m;
-  for (int i = 0; i < kSamples; ++i) curve_m.emplace_back(0.0, 0.001 * i);
+  for (int i = 0; i < kPlotSamples; ++i) curve_m.emplace_back(0.0, 0.001 * i);
   for (const double theta_rad : ComputeThetaPlot(curve_m, {}).theta_rad) {
     EXPECT_NEAR(theta_rad, 0.0, 1e-9);
   }
 }
 
 TEST(FindFeatures, TellsLineCornerAndCurveApart) {
-  EXPECT_EQ(FeaturesOf(PolylineCurve(0.2, {}, kSamples)).corners, 0);
-  EXPECT_EQ(FeaturesOf(PolylineCurve(0.2, {}, kSamples)).curves, 0);
-  const CurveFeatures corner = FeaturesOf(PolylineCurve(0.1, {1.5}, kSamples));
+  EXPECT_EQ(FeaturesOf(PolylineCurve(0.2, {}, kPlotSamples)).corners, 0);
+  EXPECT_EQ(FeaturesOf(PolylineCurve(0.2, {}, kPlotSamples)).curves, 0);
+  const CurveFeatures corner = FeaturesOf(PolylineCurve(0.1, {1.5}, kPlotSamples));
   EXPECT_EQ(corner.corners, 1);
   EXPECT_EQ(corner.curves, 0);
-  const CurveFeatures arc = FeaturesOf(ArcCurve(0.1, 2.5, kSamples));
+  const CurveFeatures arc = FeaturesOf(ArcCurve(0.1, 2.5, kPlotSamples));
   EXPECT_EQ(arc.corners, 0);
   EXPECT_EQ(arc.curves, 1);
   EXPECT_EQ(arc.concavities, 0);
 }
 
 TEST(FindFeatures, AConcaveArcIsAConcavityAndNoCurve) {
-  const CurveFeatures features = FeaturesOf(ArcCurve(0.1, -2.5, kSamples));
+  const CurveFeatures features = FeaturesOf(ArcCurve(0.1, -2.5, kPlotSamples));
   EXPECT_GE(features.concavities, 1);
   EXPECT_EQ(features.curves, 0);
 }
 
 TEST(FindFeatures, SurvivesTheNoiseOfAMillimetreOnATwentyCentimetreProfile) {
-  auto line_m = PolylineCurve(0.2, {}, kSamples);
+  auto line_m = PolylineCurve(0.2, {}, kPlotSamples);
   AddNoise(0.0004, 7, &line_m);  // what is left of a millimetre after smoothing and resampling
   const CurveFeatures features = FeaturesOf(line_m);
   EXPECT_EQ(features.curves, 0);

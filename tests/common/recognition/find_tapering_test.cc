@@ -7,8 +7,8 @@
 namespace geon::recognition {
 namespace {
 
-// Horizontal stripes with these left and right ends.
-std::vector<ProfileEnds> Horizontal(const std::array<double, 3>& left_m,
+// HorizontalEnds stripes with these left and right ends.
+std::vector<ProfileEnds> HorizontalEnds(const std::array<double, 3>& left_m,
                                     const std::array<double, 3>& right_m) {
   std::vector<ProfileEnds> ends;
   for (size_t i = 0; i < 3; ++i) {
@@ -22,41 +22,41 @@ std::vector<ProfileEnds> Horizontal(const std::array<double, 3>& left_m,
 }
 
 TEST(FindTapering, LengthsThatRiseOrFallMeanTapering) {
-  const auto rising = FindTapering(Horizontal({-0.05, -0.06, -0.07}, {0.05, 0.06, 0.07}), {}, {});
+  const auto rising = FindTapering(HorizontalEnds({-0.05, -0.06, -0.07}, {0.05, 0.06, 0.07}), {}, {});
   EXPECT_TRUE(rising.monotone_horizontal);
   EXPECT_FALSE(rising.asymmetric_ends);
   EXPECT_TRUE(rising.found());
-  EXPECT_TRUE(FindTapering(Horizontal({-0.07, -0.06, -0.05}, {0.07, 0.06, 0.05}), {}, {})
+  EXPECT_TRUE(FindTapering(HorizontalEnds({-0.07, -0.06, -0.05}, {0.07, 0.06, 0.05}), {}, {})
                   .monotone_horizontal);
-  EXPECT_TRUE(FindTapering({}, Horizontal({-0.09, -0.06, -0.03}, {0.09, 0.06, 0.03}), {})
+  EXPECT_TRUE(FindTapering({}, HorizontalEnds({-0.09, -0.06, -0.03}, {0.09, 0.06, 0.03}), {})
                   .monotone_vertical);
 }
 
 TEST(FindTapering, LengthsThatAreEqualWithinNoiseDoNot) {
   EXPECT_FALSE(
-      FindTapering(Horizontal({-0.05, -0.051, -0.052}, {0.05, 0.05, 0.05}), {}, {}).found());
+      FindTapering(HorizontalEnds({-0.05, -0.051, -0.052}, {0.05, 0.05, 0.05}), {}, {}).found());
 }
 
 TEST(FindTapering, LengthsThatRiseAndFallDoNot) {
-  EXPECT_FALSE(FindTapering(Horizontal({-0.05, -0.08, -0.05}, {0.05, 0.08, 0.05}), {}, {})
+  EXPECT_FALSE(FindTapering(HorizontalEnds({-0.05, -0.08, -0.05}, {0.05, 0.08, 0.05}), {}, {})
                    .monotone_horizontal);
 }
 
 TEST(FindTapering, EndsThatStepUnequallyMeanTapering) {
   // (5.8): |0.08 - 0| on the left, 0 on the right.
-  const auto tapering = FindTapering(Horizontal({-0.1, -0.02, -0.02}, {0.1, 0.1, 0.1}), {}, {});
+  const auto tapering = FindTapering(HorizontalEnds({-0.1, -0.02, -0.02}, {0.1, 0.1, 0.1}), {}, {});
   EXPECT_NEAR(tapering.asymmetry_m, 0.08, 1e-12);
   EXPECT_TRUE(tapering.asymmetric_ends);
 }
 
 TEST(FindTapering, EndsOfASlantedCuboidStepAlike) {
-  const auto tapering = FindTapering(Horizontal({-0.1, -0.13, -0.08}, {0.1, 0.15, 0.12}), {}, {});
+  const auto tapering = FindTapering(HorizontalEnds({-0.1, -0.13, -0.08}, {0.1, 0.15, 0.12}), {}, {});
   EXPECT_NEAR(tapering.asymmetry_m, 0.0, 1e-12);
   EXPECT_FALSE(tapering.asymmetric_ends);
 }
 
 TEST(FindTapering, TwoStripesAreNotEnough) {
-  auto ends = Horizontal({-0.05, -0.07, -0.09}, {0.05, 0.07, 0.09});
+  auto ends = HorizontalEnds({-0.05, -0.07, -0.09}, {0.05, 0.07, 0.09});
   ends.pop_back();
   EXPECT_FALSE(FindTapering(ends, ends, {}).found());
 }

@@ -10,7 +10,7 @@
 namespace geon::recognition {
 namespace {
 
-constexpr int kSamples = 81;
+constexpr int kPolylineSamples = 81;
 constexpr double kTolerance_m = 0.003;
 
 using Vertices = std::vector<int> (*)(std::span<const Eigen::Vector2d>, double);
@@ -28,19 +28,19 @@ class PolylineFit : public testing::TestWithParam<Vertices> {
 };
 
 TEST_P(PolylineFit, ALineIsOnePiece) {
-  EXPECT_EQ(Fit(PolylineCurve(0.2, {}, kSamples)), (std::vector<int>{0, kSamples - 1}));
+  EXPECT_EQ(Fit(PolylineCurve(0.2, {}, kPolylineSamples)), (std::vector<int>{0, kPolylineSamples - 1}));
 }
 
 TEST_P(PolylineFit, PutsAVertexAtACorner) {
-  const auto vertices = Fit(PolylineCurve(0.1, {1.2}, kSamples));
+  const auto vertices = Fit(PolylineCurve(0.1, {1.2}, kPolylineSamples));
   ASSERT_GE(vertices.size(), 3U);
   const bool near_corner = std::any_of(vertices.begin(), vertices.end(),
-                                       [](int v) { return std::abs(v - kSamples / 2) <= 4; });
+                                       [](int v) { return std::abs(v - kPolylineSamples / 2) <= 4; });
   EXPECT_TRUE(near_corner);
 }
 
 TEST_P(PolylineFit, FollowsAnArcMoreCloselyWithASmallerTolerance) {
-  const auto arc_m = ArcCurve(0.1, 2.0, kSamples);
+  const auto arc_m = ArcCurve(0.1, 2.0, kPolylineSamples);
   const auto coarse = Fit(arc_m, 0.006);
   const auto fine = Fit(arc_m, 0.0005);
   EXPECT_GT(coarse.size(), 2U);
@@ -48,27 +48,27 @@ TEST_P(PolylineFit, FollowsAnArcMoreCloselyWithASmallerTolerance) {
 }
 
 TEST_P(PolylineFit, VerticesAscendFromFirstToLast) {
-  auto curve_m = ArcCurve(0.1, 2.0, kSamples);
+  auto curve_m = ArcCurve(0.1, 2.0, kPolylineSamples);
   AddNoise(0.001, 3, &curve_m);
   const auto vertices = Fit(curve_m);
   EXPECT_EQ(vertices.front(), 0);
-  EXPECT_EQ(vertices.back(), kSamples - 1);
+  EXPECT_EQ(vertices.back(), kPolylineSamples - 1);
   EXPECT_TRUE(std::is_sorted(vertices.begin(), vertices.end()));
   EXPECT_EQ(std::adjacent_find(vertices.begin(), vertices.end()), vertices.end());
 }
 
 TEST_P(PolylineFit, ReadsCurveCornerAndConcavity) {
-  EXPECT_EQ(FeaturesOf(PolylineCurve(0.2, {}, kSamples)).curves, 0);
-  EXPECT_EQ(FeaturesOf(PolylineCurve(0.2, {}, kSamples)).corners, 0);
-  EXPECT_EQ(FeaturesOf(ArcCurve(0.1, 2.5, kSamples)).curves, 1);
-  EXPECT_EQ(FeaturesOf(ArcCurve(0.1, 2.5, kSamples)).concavities, 0);
-  EXPECT_GE(FeaturesOf(ArcCurve(0.1, -2.5, kSamples)).concavities, 1);
+  EXPECT_EQ(FeaturesOf(PolylineCurve(0.2, {}, kPolylineSamples)).curves, 0);
+  EXPECT_EQ(FeaturesOf(PolylineCurve(0.2, {}, kPolylineSamples)).corners, 0);
+  EXPECT_EQ(FeaturesOf(ArcCurve(0.1, 2.5, kPolylineSamples)).curves, 1);
+  EXPECT_EQ(FeaturesOf(ArcCurve(0.1, 2.5, kPolylineSamples)).concavities, 0);
+  EXPECT_GE(FeaturesOf(ArcCurve(0.1, -2.5, kPolylineSamples)).concavities, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, PolylineFit, testing::Values(&RamerVertices, &WallVertices));
 
 TEST(RamerVertices, NoPointIsFartherThanTheTolerance) {
-  const auto arc_m = ArcCurve(0.1, 2.0, kSamples);
+  const auto arc_m = ArcCurve(0.1, 2.0, kPolylineSamples);
   const auto vertices = RamerVertices(arc_m, kTolerance_m);
   for (size_t k = 0; k + 1 < vertices.size(); ++k) {
     const Eigen::Vector2d a = arc_m[static_cast<size_t>(vertices[k])];
@@ -81,8 +81,8 @@ TEST(RamerVertices, NoPointIsFartherThanTheTolerance) {
 }
 
 TEST(RamerVertices, FindsACornerExactly) {
-  EXPECT_EQ(RamerVertices(PolylineCurve(0.1, {1.2}, kSamples), kTolerance_m),
-            (std::vector<int>{0, kSamples / 2, kSamples - 1}));
+  EXPECT_EQ(RamerVertices(PolylineCurve(0.1, {1.2}, kPolylineSamples), kTolerance_m),
+            (std::vector<int>{0, kPolylineSamples / 2, kPolylineSamples - 1}));
 }
 
 TEST(VertexTurns, ArePositiveClockwise) {
@@ -95,7 +95,7 @@ TEST(VertexTurns, ArePositiveClockwise) {
 }
 
 TEST(PolylineFeatures, ASharpTurnBetweenLongPiecesIsACorner) {
-  const auto curve_m = PolylineCurve(0.1, {1.2}, kSamples);
+  const auto curve_m = PolylineCurve(0.1, {1.2}, kPolylineSamples);
   const CurveFeatures features = FindFeatures(curve_m, RamerVertices(curve_m, kTolerance_m), {});
   EXPECT_EQ(features.corners, 1);
   EXPECT_EQ(features.curves, 0);

@@ -9,8 +9,8 @@ namespace geon::recognition {
 namespace {
 
 // A camera at the origin of L that looks along x; z of the camera is x of L.
-const Eigen::Vector3d kCamera_m = Eigen::Vector3d::Zero();
-const Eigen::Matrix3d kRotation = geometry::CameraAxesInBody();
+const Eigen::Vector3d kEye_m = Eigen::Vector3d::Zero();
+const Eigen::Matrix3d kEyeRotation = geometry::CameraAxesInBody();
 
 sensor::RangeProfile ProfileWithDepths(const std::vector<double>& depth_m) {
   sensor::RangeProfile profile;
@@ -27,7 +27,7 @@ sensor::RangeProfile Smooth(const sensor::RangeProfile& profile, Smoothing kind,
   SmoothingOptions options;
   options.kind = kind;
   options.half_width_px = half_width_px;
-  return SmoothProfile(profile, kCamera_m, kRotation, options);
+  return SmoothProfile(profile, kEye_m, kEyeRotation, options);
 }
 
 TEST(SmoothProfile, MedianRemovesASpikeAndLeavesItsNeighbours) {

@@ -7,14 +7,14 @@ namespace {
 
 PtuAxis Pan() { return PtuAxis(-3090, 3090, 30); }
 
-void Pass(PtuAxis* axis, double duration_s) {
+void PassAxis(PtuAxis* axis, double duration_s) {
   for (double t_s = 0.0; t_s < duration_s; t_s += 0.001) axis->Step(0.001);
 }
 
 TEST(PtuAxis, ReachesItsTargetAndStands) {
   PtuAxis axis = Pan();
   axis.MoveTo(1500);
-  Pass(&axis, 3.0);
+  PassAxis(&axis, 3.0);
   EXPECT_EQ(axis.position(), 1500);
   EXPECT_EQ(axis.shaft(), 1500);
   EXPECT_FALSE(axis.moving());
@@ -24,13 +24,13 @@ TEST(PtuAxis, ReachesItsTargetAndStands) {
 TEST(PtuAxis, TheCounterRunsOnWhenTheShaftMeetsItsStop) {
   PtuAxis axis = Pan();
   axis.MoveTo(3500);
-  Pass(&axis, 6.0);
+  PassAxis(&axis, 6.0);
   EXPECT_EQ(axis.position(), 3500);
   EXPECT_EQ(axis.shaft(), 3120);
   EXPECT_TRUE(axis.TakeLimitHit());
   EXPECT_FALSE(axis.TakeLimitHit()) << "once for each hit";
   axis.MoveTo(0);
-  Pass(&axis, 6.0);
+  PassAxis(&axis, 6.0);
   EXPECT_EQ(axis.shaft(), -380) << "the counter lies";
 }
 
@@ -39,7 +39,7 @@ TEST(PtuAxis, HuntingAndReferencingMakeTheCounterTrueAgain) {
   axis.LoseSteps(400);
   EXPECT_TRUE(axis.TakeLimitHit());
   axis.HuntStop(true, 1500);
-  Pass(&axis, 6.0);
+  PassAxis(&axis, 6.0);
   EXPECT_FALSE(axis.hunting());
   EXPECT_EQ(axis.shaft(), 3120);
   axis.Reference();
@@ -50,13 +50,13 @@ TEST(PtuAxis, HuntingAndReferencingMakeTheCounterTrueAgain) {
 TEST(PtuAxis, RunsTowardsABoundAndStopsThere) {
   PtuAxis axis = Pan();
   axis.RunTowardsBound(-2000, true);
-  Pass(&axis, 0.5);
+  PassAxis(&axis, 0.5);
   EXPECT_LT(axis.velocity(), -500);
-  Pass(&axis, 6.0);
+  PassAxis(&axis, 6.0);
   EXPECT_EQ(axis.position(), -3090);
   EXPECT_FALSE(axis.TakeLimitHit());
   axis.RunTowardsBound(-2000, false);
-  Pass(&axis, 2.0);
+  PassAxis(&axis, 2.0);
   EXPECT_EQ(axis.shaft(), -3120);
   EXPECT_TRUE(axis.TakeLimitHit());
 }
@@ -64,10 +64,10 @@ TEST(PtuAxis, RunsTowardsABoundAndStopsThere) {
 TEST(PtuAxis, HaltsWithItsOwnDeceleration) {
   PtuAxis axis = Pan();
   axis.MoveTo(3000);
-  Pass(&axis, 1.0);
+  PassAxis(&axis, 1.0);
   const double before = axis.position();
   axis.Halt();
-  Pass(&axis, 1.0);
+  PassAxis(&axis, 1.0);
   EXPECT_FALSE(axis.moving());
   EXPECT_NEAR(axis.position() - before, 1000.0 * 1000.0 / 2.0 / 2000.0, 10.0);
   EXPECT_EQ(axis.target(), axis.position());
@@ -76,10 +76,10 @@ TEST(PtuAxis, HaltsWithItsOwnDeceleration) {
 TEST(PtuAxis, SpeedChangesOnTheFly) {
   PtuAxis axis = Pan();
   axis.MoveTo(3000);
-  Pass(&axis, 1.0);
+  PassAxis(&axis, 1.0);
   axis.settings.speed = 200;
   axis.ChangeSpeed();
-  Pass(&axis, 0.6);
+  PassAxis(&axis, 0.6);
   EXPECT_NEAR(axis.velocity(), 200, 1.0);
   EXPECT_EQ(axis.target(), 3000);
 }
@@ -87,7 +87,7 @@ TEST(PtuAxis, SpeedChangesOnTheFly) {
 TEST(PtuAxis, SwitchedOnWithoutAResetItTakesItsPlaceForZero) {
   PtuAxis axis = Pan();
   axis.MoveTo(700);
-  Pass(&axis, 3.0);
+  PassAxis(&axis, 3.0);
   axis.ForgetPosition();
   EXPECT_EQ(axis.position(), 0);
   EXPECT_EQ(axis.shaft(), 700);

@@ -7,7 +7,7 @@
 namespace geon::sim {
 namespace {
 
-std::string Pass(PtuUnit* unit, double duration_s) {
+std::string PassUnit(PtuUnit* unit, double duration_s) {
   std::string events;
   for (double t_s = 0.0; t_s < duration_s; t_s += 0.001) events += unit->Step(0.001);
   return events;
@@ -17,7 +17,7 @@ TEST(PtuUnit, ACountIsAboutAFiftiethOfADegree) {
   PtuUnit unit({});
   unit.MoveTo(PtuAxisId::kPan, 1000);
   unit.MoveTo(PtuAxisId::kTilt, -900);
-  Pass(&unit, 3.0);
+  PassUnit(&unit, 3.0);
   EXPECT_NEAR(DegreesFromRadians(unit.shaft_rad(PtuAxisId::kPan)), 51.4286, 1e-3);
   EXPECT_NEAR(DegreesFromRadians(unit.shaft_rad(PtuAxisId::kTilt)), -46.2857, 1e-3);
 }
@@ -25,10 +25,10 @@ TEST(PtuUnit, ACountIsAboutAFiftiethOfADegree) {
 TEST(PtuUnit, AResetHuntsEachStopTiltFirstAndComesHome) {
   PtuUnit unit({});
   unit.axis(PtuAxisId::kPan).LoseSteps(250);
-  EXPECT_EQ(Pass(&unit, 0.01), "!P");
+  EXPECT_EQ(PassUnit(&unit, 0.01), "!P");
   unit.StartReset({true, true});
   EXPECT_TRUE(unit.resetting());
-  EXPECT_EQ(Pass(&unit, 25.0), "!T!T!P!P");
+  EXPECT_EQ(PassUnit(&unit, 25.0), "!T!T!P!P");
   EXPECT_FALSE(unit.resetting());
   EXPECT_EQ(unit.axis(PtuAxisId::kPan).position(), 0);
   EXPECT_EQ(unit.shaft_rad(PtuAxisId::kPan), 0.0);
@@ -37,9 +37,9 @@ TEST(PtuUnit, AResetHuntsEachStopTiltFirstAndComesHome) {
 TEST(PtuUnit, AResetOfOneAxisLeavesTheOther) {
   PtuUnit unit({});
   unit.MoveTo(PtuAxisId::kTilt, 300);
-  Pass(&unit, 2.0);
+  PassUnit(&unit, 2.0);
   unit.StartReset({true, false});
-  EXPECT_EQ(Pass(&unit, 20.0), "!P!P");
+  EXPECT_EQ(PassUnit(&unit, 20.0), "!P!P");
   EXPECT_EQ(unit.axis(PtuAxisId::kTilt).position(), 300);
 }
 
@@ -47,11 +47,11 @@ TEST(PtuUnit, SlavedMovesStartTogetherWhenTold) {
   PtuUnit unit({});
   unit.settings().immediate = false;
   unit.MoveTo(PtuAxisId::kPan, 500);
-  Pass(&unit, 1.0);
+  PassUnit(&unit, 1.0);
   EXPECT_FALSE(unit.moving());
   EXPECT_EQ(unit.Target(PtuAxisId::kPan), 500);
   unit.StartPendingMoves();
-  Pass(&unit, 2.0);
+  PassUnit(&unit, 2.0);
   EXPECT_EQ(unit.axis(PtuAxisId::kPan).position(), 500);
 }
 
@@ -70,7 +70,7 @@ TEST(PtuUnit, MonitorGoesToAndFroUntilAborted) {
   EXPECT_EQ(lowest, -100);
   EXPECT_EQ(highest, 100);
   unit.AbortMonitor();
-  Pass(&unit, 2.0);
+  PassUnit(&unit, 2.0);
   EXPECT_EQ(unit.axis(PtuAxisId::kPan).position(), 0);
   EXPECT_EQ(unit.axis(PtuAxisId::kTilt).position(), 0);
 }
@@ -85,7 +85,7 @@ TEST(PtuUnit, PowerBringsBackWhatWasSaved) {
   unit.PowerCycle();
   EXPECT_EQ(unit.axis_settings(PtuAxisId::kPan).speed, 700);
   EXPECT_TRUE(unit.echo && unit.verbose);
-  Pass(&unit, 0.01);
+  PassUnit(&unit, 0.01);
   EXPECT_FALSE(unit.resetting());
   unit.Restore(true);
   EXPECT_EQ(unit.axis_settings(PtuAxisId::kPan).speed, 1000);

@@ -10,7 +10,7 @@
 namespace geon::sim {
 namespace {
 
-constexpr double kInch_m = 0.0254;
+constexpr double kSonarInch_m = 0.0254;
 
 // A wall across the x axis, `away_m` in front of sensor 0.
 Walls WallAhead(double away_m) { return Walls({{{-1.0, 0.0}, -(away_m + 0.225)}}); }
@@ -47,7 +47,7 @@ TEST(SonarRing, MeasuresAWallInWholeInches) {
   const Walls world = WallAhead(2.0);
   SonarRing ring(Quiet(), 1, &world);
   Fire(&ring, 1.0);
-  EXPECT_NEAR(ring.readings_in()[0] * kInch_m, 2.0, 0.08);
+  EXPECT_NEAR(ring.readings_in()[0] * kSonarInch_m, 2.0, 0.08);
 }
 
 TEST(SonarRing, SaysNothingIsThereInTheOpen) {
@@ -136,7 +136,7 @@ TEST(SonarRing, KeepsAStaleReadingUntilItsNextTurn) {
   for (double t_s = 0.072; t_s < 1.0; t_s += 0.004) ring.Advance(t_s, far);
   EXPECT_EQ(ring.readings_in()[0], before);
   for (double t_s = 1.0; t_s < 1.1; t_s += 0.004) ring.Advance(t_s, far);
-  EXPECT_NEAR(ring.readings_in()[0] * kInch_m, 3.0, 0.15);
+  EXPECT_NEAR(ring.readings_in()[0] * kSonarInch_m, 3.0, 0.15);
 }
 
 TEST(SonarRing, TooNearAWallReadsTheMinimumOrALaterEcho) {
@@ -172,7 +172,7 @@ TEST(SonarRing, NoiseIsAboutOnePercent) {
   }
   const double mean = sum / count;
   const double sigma = std::sqrt(squares / count - mean * mean);
-  EXPECT_NEAR(mean * kInch_m, 4.0, 0.06);
+  EXPECT_NEAR(mean * kSonarInch_m, 4.0, 0.06);
   EXPECT_NEAR(sigma / mean, 0.01, 0.003);
 }
 

@@ -8,13 +8,13 @@
 namespace geon::sim {
 namespace {
 
-constexpr double kStep_s = 0.001;
+constexpr double kAxisStep_s = 0.001;
 
 double TimeToStand(TrapezoidAxis* axis, double limit_s = 60.0) {
   double time_s = 0.0;
   while (axis->moving() && time_s < limit_s) {
-    axis->Step(kStep_s);
-    time_s += kStep_s;
+    axis->Step(kAxisStep_s);
+    time_s += kAxisStep_s;
   }
   return time_s;
 }
@@ -32,7 +32,7 @@ TEST(TrapezoidAxis, AShortMoveNeverReachesItsSpeed) {
   axis.MoveTo(10.0, 500.0, 1000.0);
   double fastest = 0.0;
   for (int i = 0; i < 500; ++i) {
-    axis.Step(kStep_s);
+    axis.Step(kAxisStep_s);
     fastest = std::max(fastest, axis.velocity());
   }
   EXPECT_EQ(axis.position(), 10.0);
@@ -42,11 +42,11 @@ TEST(TrapezoidAxis, AShortMoveNeverReachesItsSpeed) {
 TEST(TrapezoidAxis, ReversesInMidMotionWithoutAJump) {
   TrapezoidAxis axis;
   axis.MoveTo(1000.0, 400.0, 800.0);
-  for (int i = 0; i < 1000; ++i) axis.Step(kStep_s);
+  for (int i = 0; i < 1000; ++i) axis.Step(kAxisStep_s);
   axis.MoveTo(-200.0, 400.0, 800.0);
   double before = axis.velocity();
   while (axis.moving()) {
-    axis.Step(kStep_s);
+    axis.Step(kAxisStep_s);
     if (!axis.moving()) break;
     EXPECT_LE(std::abs(axis.velocity() - before), 0.81);
     before = axis.velocity();
@@ -58,7 +58,7 @@ TEST(TrapezoidAxis, AStepperJumpsToItsStartSpeed) {
   TrapezoidAxis axis;
   axis.set_start_speed(100.0);
   axis.MoveTo(1000.0, 300.0, 500.0);
-  axis.Step(kStep_s);
+  axis.Step(kAxisStep_s);
   EXPECT_NEAR(axis.velocity(), 100.0, 1.0);
   TimeToStand(&axis);
   EXPECT_EQ(axis.position(), 1000.0);
@@ -67,7 +67,7 @@ TEST(TrapezoidAxis, AStepperJumpsToItsStartSpeed) {
 TEST(TrapezoidAxis, RunsAtAVelocityUntilToldOtherwise) {
   TrapezoidAxis axis;
   axis.RunAt(-2.0, 4.0);
-  for (int i = 0; i < 2000; ++i) axis.Step(kStep_s);
+  for (int i = 0; i < 2000; ++i) axis.Step(kAxisStep_s);
   EXPECT_NEAR(axis.velocity(), -2.0, 1e-9);
   EXPECT_NEAR(axis.position(), -(0.5 + 1.5 * 2.0), 0.01);
   axis.RunAt(0.0, 4.0);
@@ -77,7 +77,7 @@ TEST(TrapezoidAxis, RunsAtAVelocityUntilToldOtherwise) {
 TEST(TrapezoidAxis, ATargetMovesAlongWhenThePositionIsRedefined) {
   TrapezoidAxis axis;
   axis.MoveTo(10.0, 5.0, 50.0);
-  axis.Step(kStep_s);
+  axis.Step(kAxisStep_s);
   axis.Redefine(100.0);
   TimeToStand(&axis);
   EXPECT_NEAR(axis.position(), 110.0, 0.01);
@@ -87,7 +87,7 @@ TEST(TrapezoidAxis, AnObstructedMoveGoesOnFromWhereItIsLeft) {
   TrapezoidAxis axis;
   axis.MoveTo(1.0, 1.0, 1.0);
   for (int i = 0; i < 500; ++i) {
-    axis.Step(kStep_s);
+    axis.Step(kAxisStep_s);
     axis.Obstruct(0.1, 0.0);
   }
   EXPECT_TRUE(axis.moving());

@@ -65,7 +65,7 @@ TEST_F(DriveGuardTest, ObeysAFreshAnswerAndClampsIt) {
 TEST_F(DriveGuardTest, ACommandExpires) {
   Publish();
   Command(0.3);
-  time_s_ += 0.299;
+  time_s_ += 0.149;
   EXPECT_TRUE(Decide().moves());
   time_s_ += 0.002;
   EXPECT_FALSE(Decide().moves());
@@ -297,7 +297,7 @@ TEST_F(DriveGuardTest, NoSequenceOfEventsBreaksARule) {
     ASSERT_LE(std::abs(decision.speed_m_s), 0.5);
     ASSERT_LE(std::abs(decision.turn_rate_rad_s), RadiansFromDegrees(60.0) + 1e-12);
     const auto& [command, arrival_s] = arrived.at(guard_.command_id());
-    ASSERT_LE(time_s_ - arrival_s, 0.3);
+    ASSERT_LE(time_s_ - arrival_s, 0.15);
     ASSERT_TRUE(published_s.contains(command.state_seq));
     ASSERT_LE(arrival_s - published_s[command.state_seq], 0.3);
     ASSERT_GE(decision.speed_m_s * command.speed_m_s, 0.0);
