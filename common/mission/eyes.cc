@@ -50,7 +50,7 @@ std::optional<HeadSighting> Eyes::LookHead(const PoseHistory& history) {
   return sighting;
 }
 
-std::optional<FloorSighting> Eyes::LookFloor(const PoseHistory& history) {
+std::optional<FloorSighting> Eyes::LookFloor(const PoseHistory& history, bool patch_is_free) {
   if (!floor_image_ || !history.RobotKnownAfter(floor_image_->utime)) return std::nullopt;
   const sensor::Image image = *std::exchange(floor_image_, std::nullopt);
   const auto X_WR = history.RobotAt(image.utime);
@@ -58,7 +58,7 @@ std::optional<FloorSighting> Eyes::LookFloor(const PoseHistory& history) {
   FloorSighting sighting;
   sighting.X_WR = *X_WR;
   const cv::Mat bgr = AsBgr(image);
-  if (options_.learn_floor && !floor_learned_) {
+  if (options_.learn_floor && !floor_learned_ && patch_is_free) {
     const auto learned = navigation::LearnFloor(bgr, rig_.floor_camera, rig_.X_RF,
                                                 options_.floor_model, options_.floor_obstacles);
     floor_learned_ = learned.has_value();

@@ -41,7 +41,8 @@ class Eyes {
 
   // The picture that waited, as soon as its pose is known; every picture is given once.
   std::optional<HeadSighting> LookHead(const PoseHistory& history);
-  std::optional<FloorSighting> LookFloor(const PoseHistory& history);
+  // `patch_is_free`: nothing stands on the floor before the robot, so its colour may be learned.
+  std::optional<FloorSighting> LookFloor(const PoseHistory& history, bool patch_is_free);
 
   // Whether the floor's colour was learned from the room (else the configured one is in use).
   bool floor_learned() const { return floor_learned_; }

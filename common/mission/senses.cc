@@ -12,12 +12,14 @@ namespace {
 
 // The robot does 0.5 m/s and states come ten times a second: more is not motion.
 constexpr double kJump_m = 0.5;
+constexpr double kSonarRound_s = 1.2;  // in which every sonar has fired
 
 }  // namespace
 
 Senses::Senses(const MissionOptions& options, const geometry::SensorRig& rig)
     : patience_(options.patience),
       rings_(options.driving.rings),
+      floor_options_(options.seeing.floor_obstacles),
       body_radius_m_(options.driving.velocity.body_radius_m),
       eyes_(options.seeing, rig),
       memory_(options.driving.memory) {}
@@ -39,8 +41,14 @@ void Senses::NoticeOdometryJump(const sensor::BaseState& next) {
 }
 
 void Senses::Take(double now_s, const sensor::SonarScan& scan) {
-  memory_.Feel(now_s, geometry::PlanarPose(scan.x_m, scan.y_m, scan.heading_rad),
-               navigation::SonarObstacles(scan, rings_));
+  echoes_R_m_ = navigation::SonarObstacles(scan, rings_);
+  if (moved_s_ < 0.0 || base_.moving) moved_s_ = now_s;
+  memory_.Feel(now_s, geometry::PlanarPose(scan.x_m, scan.y_m, scan.heading_rad), echoes_R_m_);
+}
+
+bool Senses::FloorPatchIsFree(double now_s) const {
+  return moved_s_ >= 0.0 && now_s - moved_s_ > kSonarRound_s &&
+         navigation::PatchIsFree(echoes_R_m_, floor_options_);
 }
 
 void Senses::Take(double now_s, const sensor::InfraredScan& infrared) {
@@ -81,7 +89,7 @@ void Senses::TakeFloorImage(double now_s, sensor::Image image) {
 
 void Senses::Look(double now_s) {
   head_ = eyes_.LookHead(history_);
-  floor_ = eyes_.LookFloor(history_);
+  floor_ = eyes_.LookFloor(history_, FloorPatchIsFree(now_s));
   if (floor_) {
     memory_.SeeFloor(now_s, floor_->X_WR, floor_->columns);
     floor_looked_s_ = now_s;

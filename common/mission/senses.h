@@ -58,6 +58,9 @@ class Senses {
   const std::vector<Eigen::Vector2d>& obstacles_R_m() const { return obstacles_R_m_; }
   // Seconds since a floor picture was last looked at: nobody drives on old pictures.
   double floor_age_s(double now_s) const { return now_s - floor_looked_s_; }
+  // The whole sonar ring was heard since the robot stands, and nothing of it before the robot: the
+  // floor camera may learn the floor's colour there.
+  bool FloorPatchIsFree(double now_s) const;
   // Grows when odometry started anew: places in W that were remembered before mean nothing.
   int odometry_epoch() const { return odometry_epoch_; }
 
@@ -68,6 +71,7 @@ class Senses {
 
   PatienceOptions patience_;
   navigation::RingOptions rings_;
+  navigation::FloorObstacleOptions floor_options_;
   double body_radius_m_;
   PoseHistory history_;
   Eyes eyes_;
@@ -83,6 +87,8 @@ class Senses {
   double head_at_s_ = -1e9;
   double floor_at_s_ = -1e9;
   double floor_looked_s_ = -1e9;
+  double moved_s_ = -1e9;                    // last, or nothing heard yet
+  std::vector<Eigen::Vector2d> echoes_R_m_;  // of the newest sonar scan
   sensor::DeviceStatus laser_status_ = sensor::DeviceStatus::kUnknown;
   std::vector<Eigen::Vector2d> obstacles_R_m_;
   int odometry_epoch_ = 0;

@@ -144,6 +144,16 @@ std::vector<FloorColumn> FloorObstacles(const cv::Mat& not_floor,
   return columns;
 }
 
+bool PatchIsFree(std::span<const Eigen::Vector2d> echoes_R_m, const FloorObstacleOptions& options) {
+  return std::all_of(echoes_R_m.begin(), echoes_R_m.end(), [&](const Eigen::Vector2d& echo_m) {
+    const Eigen::Vector2d normal = echo_m.normalized();
+    const double reach_m =
+        std::max(options.patch_near_m * normal.x(), options.patch_far_m * normal.x()) +
+        options.patch_half_width_m * std::abs(normal.y());
+    return reach_m < echo_m.norm();
+  });
+}
+
 std::optional<FloorModel> LearnFloor(const cv::Mat& image_bgr,
                                      const geometry::PinholeCamera& camera,
                                      const geometry::RigidTransform& X_RF, const FloorModel& prior,

@@ -4,6 +4,7 @@
 #include <array>
 #include <opencv2/core/mat.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,11 @@ std::vector<FloorColumn> FloorObstacles(const cv::Mat& not_floor,
                                         const geometry::PinholeCamera& camera,
                                         const geometry::RigidTransform& X_RF,
                                         const FloorObstacleOptions& options);
+
+// Whether the learning patch is free of what the sonar heard: no wall that would answer with these
+// echoes (each a line across its sensor's axis) cuts it. Points are in R. Without this a wall that
+// fills the picture would be learned as floor.
+bool PatchIsFree(std::span<const Eigen::Vector2d> echoes_R_m, const FloorObstacleOptions& options);
 
 // Learns the floor's colour from the patch in front of the robot: medians of shares and brightness,
 // the tolerances of `prior`. No answer when the patch does not look like one floor, or like a floor

@@ -74,5 +74,30 @@ TEST_F(SensesTest, AJumpOfOdometryForgetsPlaces) {
   EXPECT_TRUE(senses_.obstacles_R_m().empty());
 }
 
+TEST_F(SensesTest, TheFloorIsLearnedOnceTheSonarHeardNothingBeforeTheStandingRobot) {
+  sensor::BaseState base;
+  base.status = sensor::DeviceStatus::kReady;
+  sensor::SonarScan sonar;
+  sonar.range_m.fill(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(senses_.FloorPatchIsFree(0.0)) << "nothing was heard yet";
+  const auto hear = [&](double now_s, double ahead_m) {
+    sonar.range_m[0] = ahead_m;
+    senses_.Take(now_s, base);
+    senses_.Take(now_s, sonar);
+  };
+  hear(0.0, 2.0);
+  EXPECT_FALSE(senses_.FloorPatchIsFree(1.0)) << "the ring is not round yet";
+  hear(1.5, 2.0);
+  EXPECT_TRUE(senses_.FloorPatchIsFree(1.5));
+  hear(1.6, 0.5);
+  EXPECT_FALSE(senses_.FloorPatchIsFree(1.6));
+  base.moving = true;
+  hear(3.0, 2.0);
+  EXPECT_FALSE(senses_.FloorPatchIsFree(3.0));
+  base.moving = false;
+  hear(4.5, 2.0);
+  EXPECT_TRUE(senses_.FloorPatchIsFree(4.5));
+}
+
 }  // namespace
 }  // namespace geon::mission

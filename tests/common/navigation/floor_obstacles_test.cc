@@ -120,6 +120,22 @@ TEST(LearnFloorTest, DoesNotTakeWhatStandsInFrontForFloor) {
   EXPECT_FALSE(LearnFloor(half, kCamera, CameraPose(), kModel, {}).has_value());
 }
 
+TEST(PatchIsFreeTest, AWallBeforeTheRobotIsNotLearnedAsFloor) {
+  const FloorObstacleOptions options;  // the patch: 0.45 to 0.85 m ahead, 0.2 m to each side
+  EXPECT_TRUE(PatchIsFree({}, options));
+  const auto free = [&](double distance_m, double bearing_rad) {
+    const std::vector<Eigen::Vector2d> echo = {
+        {distance_m * std::cos(bearing_rad), distance_m * std::sin(bearing_rad)}};
+    return PatchIsFree(echo, options);
+  };
+  EXPECT_FALSE(free(0.8, 0.0));
+  EXPECT_TRUE(free(0.9, 0.0));
+  EXPECT_FALSE(free(0.7, kPi / 4)) << "a slanting wall answers along its normal";
+  EXPECT_TRUE(free(0.8, kPi / 4));
+  EXPECT_TRUE(free(0.3, kPi / 2)) << "a wall beside the robot leaves the patch free";
+  EXPECT_TRUE(free(0.3, kPi)) << "and so does one behind";
+}
+
 TEST(FloorObstaclesTest, RefusesWhatIsNotAPictureOfThisCamera) {
   EXPECT_THROW(NotFloorMask(cv::Mat(240, 320, CV_8UC1), kModel), ContractViolation);
   EXPECT_THROW(FloorObstacles(cv::Mat::zeros(10, 10, CV_8UC1), kCamera, CameraPose(), {}),
