@@ -26,7 +26,8 @@ class ImageSensor {
  private:
   static constexpr size_t kSteps = 16384;  // fine enough for the steep foot of the gamma curve
   float black_level_1_;
-  std::vector<float> noise_1_;  // standard deviation at each of kSteps levels
+  float shot_noise2_1_;         // variance of the noise at full scale
+  float read_noise2_1_;         // variance of the noise in the dark
   std::vector<uint8_t> value_;  // pixel value of each of kSteps levels
 };
 

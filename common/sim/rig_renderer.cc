@@ -8,6 +8,7 @@
 #include "sim/hash_noise.h"
 #include "sim/laser_light.h"
 #include "sim/mounting.h"
+#include "sim/shading.h"
 #include "sim/view.h"
 
 namespace geon::sim {
@@ -40,17 +41,6 @@ LaserFan FanInWorld(const geometry::LaserMount& mount, const geometry::RigidTran
   fan.forward_W = (ahead_W - ahead_W.dot(fan.normal_W) * fan.normal_W).normalized();
   fan.stripe_runs_along_u = along_u;
   return fan;
-}
-
-// Blue, green, red as cameras deliver them.
-std::vector<float> ToBgr(std::vector<float> rgb) {
-  for (size_t k = 0; k + 2 < rgb.size(); k += 3) std::swap(rgb[k], rgb[k + 2]);
-  return rgb;
-}
-
-std::vector<float> Scaled(std::vector<float> light, double factor_1) {
-  for (float& value : light) value *= static_cast<float>(factor_1);
-  return light;
 }
 
 }  // namespace
@@ -95,7 +85,7 @@ RigRenderer::Sight& RigRenderer::SightFrom(std::unique_ptr<Sight>* kept,
                                            const geometry::RigidTransform& X_WC) {
   if (*kept == nullptr) *kept = std::make_unique<Sight>();
   Sight& sight = **kept;
-  if (sight.view.sightings.empty() || sight.view.X_WC.matrix() != X_WC.matrix()) {
+  if (sight.view.facet.empty() || sight.view.X_WC.matrix() != X_WC.matrix()) {
     LookThrough(*scene_, camera, X_WC, &sight.view);
     sight.signal.clear();
     for (std::vector<float>& laser : sight.laser_signals) laser.clear();
@@ -108,8 +98,8 @@ Frame RigRenderer::HeadColor(const RigPose& pose, int64_t seq) {
   const auto X_WC = pose.X_WR * mounted_rig_.ColorCameraPose(pose.pan_rad, pose.tilt_rad);
   Sight& sight = SightFrom(&color_, camera, X_WC);
   if (sight.signal.empty()) {
-    sight.signal =
-        Scaled(ToBgr(ShadeColor(*scene_, sight.view, LampShadows::kSoft)), options_.color.white_1);
+    ShadeColor(*scene_, sight.view, LampShadows::kSoft, &sight.signal);
+    for (float& value : sight.signal) value *= static_cast<float>(options_.color.white_1);
     BlurByLens(camera.width_px, camera.height_px, 3, options_.color.blur_1, &sight.signal);
   }
   return {camera.width_px, camera.height_px, 3,
@@ -120,8 +110,8 @@ Frame RigRenderer::FloorColor(const RigPose& pose, int64_t seq) {
   const geometry::PinholeCamera& camera = mounted_rig_.floor_camera;
   Sight& sight = SightFrom(&floor_, camera, pose.X_WR * mounted_rig_.X_RF);
   if (sight.signal.empty()) {
-    sight.signal =
-        Scaled(ToBgr(ShadeColor(*scene_, sight.view, LampShadows::kSoft)), options_.floor.white_1);
+    ShadeColor(*scene_, sight.view, LampShadows::kSoft, &sight.signal);
+    for (float& value : sight.signal) value *= static_cast<float>(options_.floor.white_1);
     BlurByLens(camera.width_px, camera.height_px, 3, options_.floor.blur_1, &sight.signal);
   }
   return {camera.width_px, camera.height_px, 3,
@@ -134,11 +124,8 @@ Frame RigRenderer::HeadBw(const RigPose& pose, const LaserFractions& lasers, int
   Sight& sight = SightFrom(&bw_, camera, X_WT * mounted_rig_.X_TB);
   if (sight.signal.empty()) {
     // Behind the filter a shadow of the lamp would be a grey level or two: not worth its rays.
-    const std::vector<float> rgb = ShadeColor(*scene_, sight.view, LampShadows::kNone);
-    sight.signal.resize(rgb.size() / 3);
-    for (size_t k = 0; k < sight.signal.size(); ++k) {
-      sight.signal[k] = rgb[3 * k] * static_cast<float>(options_.stripe.white_1);  // 670 nm is red
-    }
+    ShadeRed(*scene_, sight.view, &sight.signal);  // 670 nm
+    for (float& value : sight.signal) value *= static_cast<float>(options_.stripe.white_1);
     BlurByLens(camera.width_px, camera.height_px, 1, options_.stripe.blur_1, &sight.signal);
   }
   std::vector<float> signal = sight.signal;

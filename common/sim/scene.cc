@@ -78,6 +78,7 @@ Scene::Scene(std::vector<Body> bodies, const Lighting& lighting)
             "Scene: " + bodies_[k].name + " needs triangles and a normal for every vertex");
     Require(AddBody(tracer_->device, tracer_->scene, bodies_[k]) == k,
             "Scene: unexpected body number");
+    facets_.Append(mesh);
     if (bodies_[k].obstacle && geons::Bounds(mesh).min().z() < kRobotHeight_m) {
       feet_W_m_.push_back(ConvexFootprint(mesh));
     }

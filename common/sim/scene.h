@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geons/triangle_mesh.h"
+#include "sim/facets.h"
 #include "sim/lighting.h"
 #include "sim/material.h"
 #include "sim/surroundings.h"
@@ -55,11 +56,13 @@ class Scene : public Surroundings {
 
   const std::vector<Body>& bodies() const { return bodies_; }
   const Lighting& lighting() const { return lighting_; }
+  const Facets& facets() const { return facets_; }  // of all bodies, in their order
 
  private:
   struct Tracer;  // Embree's handles
   std::vector<Body> bodies_;
   Lighting lighting_;
+  Facets facets_;
   std::vector<std::vector<Eigen::Vector2d>>
       feet_W_m_;  // convex, counter-clockwise; of obstacles only
   std::unique_ptr<Tracer> tracer_;

@@ -170,6 +170,9 @@ TEST(RigRendererTest, SameSeedSameBytesAndOtherSeedOthers) {
   RigPose elsewhere = pose;
   elsewhere.pan_rad = 0.3;
   second.HeadBw(elsewhere, {0, 1}, 99);  // what was seen before must not matter
+  second.HeadColor(elsewhere, 98);
+  elsewhere.X_WR = geometry::PlanarPose(0.8, 1.2, 0.4);
+  second.FloorColor(elsewhere, 97);
   EXPECT_EQ(first.HeadBw(pose, {1, 0}, 3).pixels, second.HeadBw(pose, {1, 0}, 3).pixels);
   EXPECT_EQ(first.HeadColor(pose, 3).pixels, second.HeadColor(pose, 3).pixels);
   EXPECT_EQ(first.FloorColor(pose, 3).pixels, second.FloorColor(pose, 3).pixels);

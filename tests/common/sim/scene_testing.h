@@ -7,6 +7,7 @@
 #include "geometry/sensor_rig.h"
 #include "gtest/gtest.h"
 #include "sim/camera_options.h"
+#include "sim/view.h"
 #include "sim/world_file.h"
 #include "sim/world_scene.h"
 
@@ -27,6 +28,16 @@ inline World WorldFrom(const std::string& objects,
 
 inline std::shared_ptr<const Scene> SceneFrom(const std::string& objects) {
   return *BuildScene(WorldFrom(objects));
+}
+
+// Looks straight down from 2 m above a point of the floor.
+inline View LookDown(const Scene& scene, double x_m, double y_m) {
+  const geometry::PinholeCamera camera{64, 48, 80.0, 80.0, 31.5, 23.5};
+  Eigen::Matrix3d R_WC;
+  R_WC << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  View view;
+  LookThrough(scene, camera, geometry::MakeTransform(R_WC, {x_m, y_m, 2.0}), &view);
+  return view;
 }
 
 // A head like that of the robot file, written down again: cameras ahead, lasers above and beside.

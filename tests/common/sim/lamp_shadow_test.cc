@@ -1,0 +1,73 @@
+#include "sim/lamp_shadow.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/random_world.h"
+#include "tests/common/sim/scene_testing.h"
+
+namespace geon::sim {
+namespace {
+
+// Pixels at which the answer is another than that of a ray to the pixel's quarter of the lamp, and
+// how many lie in the shadow.
+struct ShadowCount {
+  int wrong = 0;
+  int dark = 0;
+};
+void CountAgainstRays(const Scene& scene, const geometry::PinholeCamera& camera,
+                      const geometry::RigidTransform& X_WC, ShadowCount* count) {
+  View view;
+  LookThrough(scene, camera, X_WC, &view);
+  const Eigen::Vector3f lamp_W_m = scene.lighting().lamp_W_m.cast<float>();
+  LampShadow shadow(scene, lamp_W_m);
+  SurfaceRow row;
+  std::vector<uint8_t> lit(static_cast<size_t>(camera.width_px));
+  for (int v = 0; v < camera.height_px; ++v) {
+    ResolveRow(scene, view, v, 0, camera.width_px, &row);
+    shadow.Ask(row, v, lit);
+    for (const SurfaceRow::Run& run : row.runs) {
+      for (int u = run.begin; u < run.end; ++u) {
+        uint8_t answer = 1;
+        const Eigen::Vector3f point = row.Point(u);
+        if (run.body >= 0 && row.Normal(u).dot(lamp_W_m - point) > 0.0F) {
+          const Eigen::Vector3f quarter =
+              lamp_W_m + Eigen::Vector3f(u % 2 == 0 ? -0.15F : 0.15F, v % 2 == 0 ? -0.4F : 0.4F, 0);
+          scene.Illuminate(quarter, {&point, 1}, {&answer, 1});
+        }
+        count->wrong += answer != lit[static_cast<size_t>(u)] ? 1 : 0;
+        count->dark += lit[static_cast<size_t>(u)] == 0 ? 1 : 0;
+      }
+    }
+  }
+}
+
+TEST(LampShadowTest, IsThatOfRaysInRandomWorlds) {
+  const geometry::SensorRig rig = TestRig();
+  ShadowCount count;
+  for (const uint64_t seed : {7u, 31u, 32u, 33u}) {
+    const World world = RandomWorld(seed, GeonPlace::kAny);
+    const WorldObject& geon = world.objects.back();
+    const auto X_WR = geometry::PlanarPose(geon.x_m - 1.2, geon.y_m, 0.0);
+    CountAgainstRays(**BuildScene(world), rig.color_camera, X_WR * rig.ColorCameraPose(0.0, -0.5),
+                     &count);
+  }
+  EXPECT_EQ(count.wrong, 0);
+  EXPECT_GT(count.dark, 5000);
+}
+
+TEST(LampShadowTest, IsThatOfRaysBelowAndAboveWhatFloatsOrReachesTheLamp) {
+  for (const char* objects :
+       {"  - {box: [1.2, 1.2, 0.02], x_m: 1.5, y_m: 2.25, z_m: 1.5}\n",
+        "  - {box: [0.3, 0.2, 3.5], x_m: 1.6, y_m: 2.4, yaw_deg: 30}\n",
+        "  - {cylinder: {radius_m: 0.002, height_m: 1.5}, x_m: 1.2, y_m: 2.0}\n"}) {
+    const auto scene = SceneFrom(objects);
+    const View floor = LookDown(*scene, 1.1, 1.9);
+    ShadowCount count;
+    CountAgainstRays(*scene, {320, 240, 160.0, 160.0, 159.5, 119.5}, floor.X_WC, &count);
+    EXPECT_EQ(count.wrong, 0) << objects;
+    EXPECT_GT(count.dark, 10) << objects;
+  }
+}
+
+}  // namespace
+}  // namespace geon::sim
