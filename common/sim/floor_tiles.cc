@@ -12,7 +12,7 @@ namespace {
 constexpr float kGrooveHalfWidth_m = 0.004F;
 constexpr float kGrooveDarkness_1 = 0.55F;
 constexpr float kMottle_m = 0.012F;
-constexpr float kPerMottle_1_m = 1.0F / kMottle_m;
+constexpr int kBlock = 64;  // columns at a time: look-ups and arithmetic apart, on the stack
 
 // As std::floor, which costs a call: for numbers far within the range of an int.
 inline int32_t Floor(float x) {
@@ -30,33 +30,49 @@ inline float GrooveCover(float x_m, float tile_m, float per_tile_1_m, float per_
   return std::max(0.0F, std::min(inside_1, most_1));
 }
 
+// Random numbers in [0, 1) that belong to the squares of a grid, for up to kBlock places.
+void FillFromSquares(uint64_t seed, float side_m, const float* x_m, const float* y_m, int count,
+                     float* values_1) {
+  int32_t columns[kBlock], rows[kBlock];
+  const float per_side_1_m = 1.0F / side_m;
+  for (int k = 0; k < count; ++k) {
+    columns[k] = Floor(x_m[k] * per_side_1_m);
+    rows[k] = Floor(y_m[k] * per_side_1_m);
+  }
+  float value_1 = 0.0F;
+  for (int k = 0; k < count; ++k) {
+    const bool same = k > 0 && columns[k] == columns[k - 1] && rows[k] == rows[k - 1];
+    if (!same) value_1 = HashUniform(seed, columns[k], rows[k]);  // neighbours mostly share one
+    values_1[k] = value_1;
+  }
+}
+
+void DrawBlock(const float* x_m, const float* y_m, const float* footprint_m, float tile_m,
+               int count, float* shade_1) {
+  float tiles_1[kBlock], mottles_1[kBlock];
+  FillFromSquares(17, tile_m, x_m, y_m, count, tiles_1);
+  FillFromSquares(23, kMottle_m, x_m, y_m, count, mottles_1);
+  const float per_tile_1_m = 1.0F / tile_m;
+#pragma GCC ivdep
+  for (int k = 0; k < count; ++k) {
+    const float per_footprint_1_m = 1.0F / footprint_m[k];
+    const float faded_1 = std::min(1.0F, kMottle_m * per_footprint_1_m);
+    const float cover_1 = std::max(GrooveCover(x_m[k], tile_m, per_tile_1_m, per_footprint_1_m),
+                                   GrooveCover(y_m[k], tile_m, per_tile_1_m, per_footprint_1_m));
+    const float paint_1 =
+        1.0F + 0.04F * (tiles_1[k] - 0.5F) + 0.06F * (mottles_1[k] - 0.5F) * faded_1;
+    shade_1[k] = paint_1 * (1.0F - kGrooveDarkness_1 * cover_1);
+  }
+}
+
 }  // namespace
 
 void DrawTiles(const SurfaceRow& row, const SurfaceRow::Run& run, float tile_m,
                const std::vector<float>& footprint_m, std::vector<float>* shade_1) {
-  const float *x_m = row.x_m.data(), *y_m = row.y_m.data(), *footprint = footprint_m.data();
-  float* shade = shade_1->data();
-  int32_t column = 0, line = 0;  // the tile of the last column
-  float plain_1 = 1.0F;          // and its shade
-  const float per_tile_1_m = 1.0F / tile_m;
-  for (int u = run.begin; u < run.end; ++u) {
-    // Neighbours are on one tile, but seldom in one square of the mottle.
-    const int32_t tile_x = Floor(x_m[u] * per_tile_1_m), tile_y = Floor(y_m[u] * per_tile_1_m);
-    if (u == run.begin || tile_x != column || tile_y != line) {
-      column = tile_x;
-      line = tile_y;
-      plain_1 = 1.0F + 0.04F * (HashUniform(17, column, line) - 0.5F);
-    }
-    const int32_t i = Floor(x_m[u] * kPerMottle_1_m), j = Floor(y_m[u] * kPerMottle_1_m);
-    shade[u] =
-        plain_1 + 0.06F * (HashUniform(23, i, j) - 0.5F) * std::min(1.0F, kMottle_m / footprint[u]);
-  }
-#pragma GCC ivdep
-  for (int u = run.begin; u < run.end; ++u) {
-    const float per_footprint_1_m = 1.0F / footprint[u];
-    const float cover_1 = std::max(GrooveCover(x_m[u], tile_m, per_tile_1_m, per_footprint_1_m),
-                                   GrooveCover(y_m[u], tile_m, per_tile_1_m, per_footprint_1_m));
-    shade[u] *= 1.0F - kGrooveDarkness_1 * cover_1;
+  for (int begin = run.begin; begin < run.end; begin += kBlock) {
+    DrawBlock(&row.x_m[static_cast<size_t>(begin)], &row.y_m[static_cast<size_t>(begin)],
+              &footprint_m[static_cast<size_t>(begin)], tile_m, std::min(kBlock, run.end - begin),
+              &(*shade_1)[static_cast<size_t>(begin)]);
   }
 }
 

@@ -47,9 +47,10 @@ void ClaimSpan(float nearness_1_m, float step_1_m, int number, int count, float*
                int* facet) {
   for (int k = 0; k < count; ++k) {
     const float here_1_m = nearness_1_m + step_1_m * static_cast<float>(k);
-    const bool nearer = here_1_m > nearest_1_m[k];
-    nearest_1_m[k] = nearer ? here_1_m : nearest_1_m[k];
-    facet[k] = nearer ? number : facet[k];
+    // By masks, not by branches: the compiler makes vectors of this.
+    const int nearer = here_1_m > nearest_1_m[k] ? -1 : 0;
+    nearest_1_m[k] = std::max(here_1_m, nearest_1_m[k]);
+    facet[k] = (number & nearer) | (facet[k] & ~nearer);
   }
 }
 
