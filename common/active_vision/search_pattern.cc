@@ -41,17 +41,18 @@ std::vector<HeadAngles> SearchPattern(const geometry::PinholeCamera& camera,
   Require(
       options.pan_min_rad <= options.pan_max_rad && options.tilt_min_rad <= options.tilt_max_rad,
       "SearchOptions: an area has its minimum below its maximum");
-  Require(options.overlap_1 >= 0.0 && options.overlap_1 < 1.0,
-          "SearchOptions: overlap_1 in [0, 1)");
+  for (const double overlap_1 : {options.pan_overlap_1, options.tilt_overlap_1}) {
+    Require(overlap_1 >= 0.0 && overlap_1 < 1.0, "SearchOptions: overlaps in [0, 1)");
+  }
 
   const double pan_view_rad = ViewAngle(camera.width_px, camera.fx_px);
   const double tilt_view_rad = ViewAngle(camera.height_px, camera.fy_px);
-  const double new_share = 1.0 - options.overlap_1;
-  std::vector<double> pans_rad =
-      Centers(options.pan_min_rad, options.pan_max_rad, pan_view_rad, new_share * pan_view_rad,
-              limits.pan_min_rad, limits.pan_max_rad);
+  const double pan_step_rad = (1.0 - options.pan_overlap_1) * pan_view_rad;
+  const double tilt_step_rad = (1.0 - options.tilt_overlap_1) * tilt_view_rad;
+  std::vector<double> pans_rad = Centers(options.pan_min_rad, options.pan_max_rad, pan_view_rad,
+                                         pan_step_rad, limits.pan_min_rad, limits.pan_max_rad);
   const std::vector<double> tilts_rad =
-      Centers(options.tilt_min_rad, options.tilt_max_rad, tilt_view_rad, new_share * tilt_view_rad,
+      Centers(options.tilt_min_rad, options.tilt_max_rad, tilt_view_rad, tilt_step_rad,
               limits.tilt_min_rad, limits.tilt_max_rad);
 
   if (std::abs(pans_rad.back() - start.pan_rad) < std::abs(pans_rad.front() - start.pan_rad)) {
@@ -63,6 +64,11 @@ std::vector<HeadAngles> SearchPattern(const geometry::PinholeCamera& camera,
     std::reverse(pans_rad.begin(), pans_rad.end());
   }
   return looks;
+}
+
+HeadAngles LookTolerance(const geometry::PinholeCamera& camera, const SearchOptions& options) {
+  return {0.5 * options.pan_overlap_1 * ViewAngle(camera.width_px, camera.fx_px),
+          0.5 * options.tilt_overlap_1 * ViewAngle(camera.height_px, camera.fy_px)};
 }
 
 }  // namespace geon::active_vision

@@ -20,7 +20,8 @@ bool AllPositive(std::initializer_list<double> values) {
 
 bool IsArea(const active_vision::SearchOptions& area) {
   return area.pan_min_rad < area.pan_max_rad && area.tilt_min_rad < area.tilt_max_rad &&
-         area.overlap_1 >= 0.0 && area.overlap_1 < 1.0;
+         area.pan_overlap_1 > 0.0 && area.pan_overlap_1 < 1.0 && area.tilt_overlap_1 > 0.0 &&
+         area.tilt_overlap_1 < 1.0;
 }
 
 }  // namespace

@@ -55,9 +55,9 @@ struct LookingOptions {
   double stop_tolerance_m = 0.04;
   double min_range_m = 0.7;  // of the range finder, from the B/W camera (thesis 3.2)
   double max_range_m = 2.0;
-  double max_target_distance_m = 7.0;                                 // a foot farther away is none
-  active_vision::SearchOptions sweep{-1.05, 1.05, -0.26, 0.14, 0.2};  // while looking about
-  active_vision::SearchOptions near{-0.55, 0.55, -0.80, 0.05, 0.2};   // for a target that was lost
+  double max_target_distance_m = 7.0;  // a foot farther away is none
+  active_vision::SearchOptions sweep{-1.05, 1.05, -0.26, 0.14, 0.5, 0.2};  // while looking about
+  active_vision::SearchOptions near{-0.55, 0.55, -0.80, 0.05, 0.5, 0.2};   // for one that was lost
   double sector_rad = 2.1;  // the robot turns by this much between sweeps
   active_vision::CenteringOptions centering;
   int centering_steps = 8;  // "several iterations" (thesis 4.2.2)

@@ -1,5 +1,6 @@
 #include "mission/search_phase.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/angles.h"
@@ -57,25 +58,51 @@ Transition SearchPhase::Step(Context* context) {
 void SearchPhase::StartSweep(Context* context, const active_vision::SearchOptions& area) {
   leg_ = Leg::kSweep;
   const auto& ptu = context->senses.ptu();
-  looks_ = active_vision::SearchPattern(context->rig.color_camera, context->senses.head_limits(),
-                                        {ptu.pan_rad, ptu.tilt_rad}, area);
-  look_ = 0;
+  looks_.clear();
+  for (const auto& at :
+       active_vision::SearchPattern(context->rig.color_camera, context->senses.head_limits(),
+                                    {ptu.pan_rad, ptu.tilt_rad}, area)) {
+    looks_.push_back({at});
+  }
+  tolerance_ = active_vision::LookTolerance(context->rig.color_camera, area);
   leg_since_s_ = look_since_s_ = context->time_s;
 }
 
+void SearchPhase::TakeLooks(const HeadSighting& sighting, double time_s) {
+  for (Look& look : looks_) {
+    if (look.taken || std::abs(sighting.head.pan_rad - look.at.pan_rad) > tolerance_.pan_rad ||
+        std::abs(sighting.head.tilt_rad - look.at.tilt_rad) > tolerance_.tilt_rad) {
+      continue;
+    }
+    look.taken = true;
+    look_since_s_ = time_s;
+  }
+}
+
+active_vision::HeadAngles SearchPhase::Aim(const Look& first, double tilt_rad) const {
+  if (std::abs(tilt_rad - first.at.tilt_rad) > tolerance_.tilt_rad) return first.at;
+  active_vision::HeadAngles aim = first.at;
+  for (const Look& look : looks_) {
+    if (!look.taken && look.at.tilt_rad == first.at.tilt_rad) aim = look.at;
+  }
+  return aim;
+}
+
 void SearchPhase::Sweep(Context* context) {
-  context->text = "sweeping the head, look " + std::to_string(look_ + 1) + " of " +
-                  std::to_string(looks_.size());
-  if (look_ >= looks_.size()) {
+  if (context->senses.head()) TakeLooks(*context->senses.head(), context->time_s);
+  const auto left =
+      std::find_if(looks_.begin(), looks_.end(), [](auto& look) { return !look.taken; });
+  if (left == looks_.end()) {
     NextLeg(context);
     return;
   }
-  context->head.Point(looks_[look_]);
-  const auto& head = context->senses.head();
-  const bool looked = head && head->still && Same(head->head, looks_[look_]);
-  const bool late = context->time_s - look_since_s_ > context->options.patience.image_s;
-  if (!looked && !late) return;
-  ++look_;
+  const auto taken =
+      std::count_if(looks_.begin(), looks_.end(), [](auto& look) { return look.taken; });
+  context->text = "sweeping the head, look " + std::to_string(taken + 1) + " of " +
+                  std::to_string(looks_.size());
+  context->head.Point(Aim(*left, context->senses.ptu().tilt_rad));
+  if (context->time_s - look_since_s_ <= context->options.patience.image_s) return;
+  left->taken = true;  // no picture came of it: out of reach, or the camera is away
   look_since_s_ = context->time_s;
 }
 

@@ -6,7 +6,8 @@
 
 namespace geon::mission {
 
-// Looks for the target: the head sweeps what lies before the robot (thesis 4.2.2), the robot turns
+// Looks for the target: the head sweeps what lies before the robot row by row without stopping
+// (thesis 4.2.2), going back for what no picture showed; the robot turns
 // to the next sector, and after a full turn wanders a little and looks about anew (4.3). Both
 // cameras may find the target at any time.
 //
@@ -25,8 +26,16 @@ class SearchPhase {
   void NextLeg(Context* context);
 
   Leg leg_ = Leg::kSweep;
-  std::vector<active_vision::HeadAngles> looks_;
-  size_t look_ = 0;
+  struct Look {
+    active_vision::HeadAngles at;
+    bool taken = false;
+  };
+  void TakeLooks(const HeadSighting& sighting, double time_s);
+  // What to point at: the start of the row of the first look not taken, then that row's end.
+  active_vision::HeadAngles Aim(const Look& first, double tilt_rad) const;
+
+  std::vector<Look> looks_;
+  active_vision::HeadAngles tolerance_;
   int sectors_ = 0;
   double leg_since_s_ = 0.0;
   double look_since_s_ = 0.0;

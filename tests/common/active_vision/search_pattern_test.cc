@@ -62,11 +62,28 @@ TEST(SearchPatternTest, StartsAtTheBottomOnTheSideNearerToTheHead) {
 }
 
 TEST(SearchPatternTest, AreaSmallerThanAViewTakesOneLookAtItsMiddle) {
-  const SearchOptions options{0.1, 0.2, -0.3, -0.2, 0.25};
+  const SearchOptions options{0.1, 0.2, -0.3, -0.2, 0.25, 0.25};
   const auto looks = SearchPattern(kCamera, {}, {}, options);
   ASSERT_EQ(looks.size(), 1U);
   EXPECT_NEAR(looks[0].pan_rad, 0.15, 1e-12);
   EXPECT_NEAR(looks[0].tilt_rad, -0.25, 1e-12);
+}
+
+TEST(SearchPatternTest, PicturesTakenWithinTheToleranceOfEveryLookStillSeeEverything) {
+  SearchOptions options;
+  options.pan_overlap_1 = 0.5;
+  auto looks = SearchPattern(kCamera, {}, {}, options);
+  const HeadAngles tolerance = LookTolerance(kCamera, options);
+  for (size_t i = 0; i < looks.size(); ++i) {
+    looks[i].pan_rad += (i % 2 == 0 ? 0.99 : -0.99) * tolerance.pan_rad;
+  }
+  for (int i = 5; i <= 55; ++i) {
+    const HeadAngles direction{
+        options.pan_min_rad + (options.pan_max_rad - options.pan_min_rad) * i / 60.0, -0.4};
+    EXPECT_TRUE(std::any_of(looks.begin(), looks.end(), [&](const HeadAngles& look) {
+      return Sees(look, direction);
+    })) << DegreesFromRadians(direction.pan_rad);
+  }
 }
 
 TEST(SearchPatternTest, LooksStayWithinTheLimits) {
@@ -77,7 +94,7 @@ TEST(SearchPatternTest, LooksStayWithinTheLimits) {
 }
 
 TEST(SearchPatternTest, AreaTurnedInsideOutThrows) {
-  const SearchOptions options{0.5, -0.5, 0.0, 0.1, 0.25};
+  const SearchOptions options{0.5, -0.5, 0.0, 0.1, 0.25, 0.25};
   EXPECT_THROW(SearchPattern(kCamera, {}, {}, options), ContractViolation);
 }
 

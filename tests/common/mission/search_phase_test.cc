@@ -31,6 +31,20 @@ TEST(SearchPhaseTest, SweepsTurnsAndWandersWhenThereIsNothing) {
   EXPECT_EQ(world.mission().phase(), Phase::kSearch);
 }
 
+TEST(SearchPhaseTest, ARowIsSweptWithoutStopping) {
+  const MissionOptions options = FastOptions();
+  FakeWorld world(options);
+  world.target_hidden = true;
+  ASSERT_TRUE(world.RunUntil(Phase::kSearch, 10.0));
+  const double begin_s = world.now_s();
+  const double pan_rad = options.looking.sweep.pan_max_rad - options.looking.sweep.pan_min_rad;
+  ASSERT_TRUE(world.RunUntil([&] { return world.Text().find("turning") == 0; }, 30.0));
+  // Two rows at the head's 1.5 rad/s take 3 s; stopping for a picture at every look took five times
+  // that.
+  EXPECT_GT(world.now_s() - begin_s, 2.0 * (pan_rad - 0.4) / 1.5);
+  EXPECT_LT(world.now_s() - begin_s, 3.0 * 2.0 * pan_rad / 1.5);
+}
+
 TEST(SearchPhaseTest, TheHeadCameraFindsWhatStandsHigh) {
   FakeWorld world(FastOptions());
   world.blocks[0].center_W_m = {2.8, 0.9};
