@@ -6,7 +6,6 @@ Used by scripts/demo and by tests/system.
 import json
 import os
 import pathlib
-import signal
 import socket
 import subprocess
 import sys
@@ -98,7 +97,7 @@ class Run:
         self.down()
         for process in reversed(self._started):
             if process.poll() is None:
-                process.send_signal(signal.SIGINT)
+                process.terminate()  # SIGINT may be ignored where we were started in the background
                 try:
                     process.wait(20)
                 except subprocess.TimeoutExpired:

@@ -57,7 +57,7 @@ def mission(arguments, run, world, log):
     output, _ = watch.communicate()
     processes = run.processes().values()
     run.stop()
-    if recorder.returncode not in (0, -signal.SIGINT):
+    if recorder.returncode not in (0, -signal.SIGTERM):
         talk(f"scripts/record ended with code {recorder.returncode}: the log may be short")
     try:
         outcome = json.loads(output)

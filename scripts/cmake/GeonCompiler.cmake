@@ -13,6 +13,13 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     -Wno-array-bounds -Wno-restrict)
 endif()
 if(GEON_SANITIZE)
+  # Eigen's and the library's own assertions stay in.
+  set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")
+  # What Embree, OpenCV and glib keep until the process ends is no leak of ours.
+  set(GEON_SANITIZER_ENVIRONMENT
+    "ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1"
+    "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/sanitizers/leaks.txt:print_suppressions=0"
+    "UBSAN_OPTIONS=print_stacktrace=1")
   target_compile_options(geon_compiler INTERFACE -fsanitize=${GEON_SANITIZE}
     -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(geon_compiler INTERFACE -fsanitize=${GEON_SANITIZE})

@@ -37,7 +37,8 @@ function(geon_room NAME)
 endfunction()
 
 # geon_unit_tests(NAME DIRECTORY target...)
-#   One GoogleTest program test_NAME of DIRECTORY/*.cc (tests and their helpers), known to ctest by its cases, label "unit".
+#   One GoogleTest program test_NAME of DIRECTORY/*.cc (tests and their helpers). For ctest it is NAME, label
+#   "unit"; in a build with sanitizers sanitized_NAME, label "sanitizer", so that scripts/test can run both builds' tests.
 function(geon_unit_tests NAME DIRECTORY)
   file(GLOB tests CONFIGURE_DEPENDS ${DIRECTORY}/*.cc)
   if(NOT tests)
@@ -49,8 +50,14 @@ function(geon_unit_tests NAME DIRECTORY)
   target_link_libraries(test_${NAME} PRIVATE ${ARGN} geon_compiler GTest::gtest GTest::gmock
     GTest::gtest_main)
   add_dependencies(unit_tests test_${NAME})
-  add_test(NAME ${NAME} COMMAND test_${NAME})
-  set_tests_properties(${NAME} PROPERTIES LABELS unit TIMEOUT 300)
+  if(GEON_SANITIZE)
+    add_test(NAME sanitized_${NAME} COMMAND test_${NAME})
+    set_tests_properties(sanitized_${NAME} PROPERTIES LABELS sanitizer TIMEOUT 900
+      ENVIRONMENT "${GEON_SANITIZER_ENVIRONMENT}")
+  else()
+    add_test(NAME ${NAME} COMMAND test_${NAME})
+    set_tests_properties(${NAME} PROPERTIES LABELS unit TIMEOUT 300)
+  endif()
 endfunction()
 
 # geon_program(NAME LINK target... )
