@@ -138,7 +138,7 @@ Rim ChooseRim(const Lesson& lesson, const Ellipse& ellipse, double min_luminance
               const TeachingOptions& options) {
   constexpr double kStep = 0.1;
   std::array<double, 2> taken = {0.0, 0.0};  // background, target
-  const auto steps = static_cast<size_t>(options.max_reach_1 / kStep + 0.5);
+  const auto steps = static_cast<size_t>(std::lround(options.max_reach_1 / kStep));
   std::vector<std::array<double, 2>> rings(steps + 1, {0.0, 0.0});
   for (const Sample& sample : lesson.samples) {
     const double ring = std::ceil(ellipse.Distance(sample.chromaticity_1) / kStep);
@@ -251,9 +251,9 @@ Result<LearnedColor> LearnColorModel(const std::vector<TeachingSample>& samples,
   report.clipped_fraction_1 =
       static_cast<double>(lesson.clipped_target_pixels) / lesson.target_pixels;
   const Eigen::Vector3d mean_rgb = lesson.rgb_sum_1 / lesson.usable_target_pixels;
-  report.mean_color = HsiFromRgb({static_cast<uint8_t>(mean_rgb.x() + 0.5),
-                                  static_cast<uint8_t>(mean_rgb.y() + 0.5),
-                                  static_cast<uint8_t>(mean_rgb.z() + 0.5)});
+  report.mean_color = HsiFromRgb({static_cast<uint8_t>(std::lround(mean_rgb.x())),
+                                  static_cast<uint8_t>(std::lround(mean_rgb.y())),
+                                  static_cast<uint8_t>(std::lround(mean_rgb.z()))});
   report.warnings = Warnings(report);
   return learned;
 }

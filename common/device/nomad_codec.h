@@ -62,19 +62,21 @@ std::string EncodeTimeout(int timeout_s);
 // `rate` in units of 4 ms between two sonars.
 std::string EncodeSonarOrder(int rate, const std::array<int, sensor::kSonarCount>& order);
 
+// Tenths of inches and degrees.
+struct NomadConfiguration {
+  int x = 0, y = 0, steer = 0, turret = 0;
+};
+struct NomadVelocity {
+  int translation = 0, steer = 0, turret = 0;
+};
+
 // The fields of a state packet in the robot's own units; nothing where the mask asked for nothing.
 struct NomadState {
   std::array<std::optional<int>, sensor::kInfraredCount> infrared;  // 0..15
   std::array<std::optional<int>, sensor::kSonarCount> sonar_in;     // inches; 255: no echo
   std::optional<uint32_t> bumpers;                                  // bit i: bumper i
-  struct Configuration {
-    int x = 0, y = 0, steer = 0, turret = 0;
-  };
-  struct Velocity {
-    int translation = 0, steer = 0, turret = 0;
-  };
-  std::optional<Configuration> configuration;
-  std::optional<Velocity> velocity;
+  std::optional<NomadConfiguration> configuration;
+  std::optional<NomadVelocity> velocity;
   std::optional<int> compass;
   int motors = 0;        // bit 0 translation, 1 steering, 2 turret active
   uint32_t time_ms = 0;  // since the robot's start

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -154,7 +155,7 @@ Result<size_t> SerialPort::Write(std::string_view bytes) {
 
 void SerialPort::WaitReadable(double timeout_s) const {
   pollfd line{file_descriptor_, POLLIN, 0};
-  poll(&line, 1, static_cast<int>(timeout_s * 1e3 + 0.5));
+  poll(&line, 1, static_cast<int>(std::lround(timeout_s * 1e3)));
 }
 
 }  // namespace geon::device
