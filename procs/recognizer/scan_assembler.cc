@@ -54,8 +54,8 @@ sensor::ScanSet MakeScanSet(const geometry::SensorRig& rig, const sensor::ScanPl
 }
 
 ScanAssembler::ScanAssembler(geometry::SensorRig rig, StripeCalibration calibration,
-                             ScanAssemblerOptions options)
-    : rig_(std::move(rig)), calibration_(std::move(calibration)), options_(std::move(options)) {
+                             const ScanAssemblerOptions& options)
+    : rig_(std::move(rig)), calibration_(std::move(calibration)), options_(options) {
   options_.recognition.Validate();
 }
 

@@ -44,7 +44,7 @@ sensor::ScanSet MakeScanSet(const geometry::SensorRig& rig, const sensor::ScanPl
 class ScanAssembler {
  public:
   ScanAssembler(geometry::SensorRig rig, StripeCalibration calibration,
-                ScanAssemblerOptions options);
+                const ScanAssemblerOptions& options);
 
   struct Answer {
     sensor::RangeProfile profile;

@@ -40,7 +40,7 @@ struct FramePublisher::Sockets {
   bool HasSubscribers(size_t camera) {
     zmq::message_t message;
     while (publishers[camera].recv(message, zmq::recv_flags::dontwait)) {
-      if (message.size() == 0) continue;
+      if (message.empty()) continue;
       subscribers[camera] += *static_cast<const char*>(message.data()) == 1 ? 1 : -1;
     }
     return subscribers[camera] > 0;

@@ -22,6 +22,10 @@ if(GEON_SANITIZE)
     "UBSAN_OPTIONS=print_stacktrace=1")
   target_compile_options(geon_compiler INTERFACE -fsanitize=${GEON_SANITIZE}
     -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  if(GEON_SANITIZE MATCHES "address")
+    # Bad pointers end in AddressSanitizer; asking before every access costs a third of the build time.
+    target_compile_options(geon_compiler INTERFACE -fno-sanitize=null,alignment,object-size,vptr)
+  endif()
   target_link_options(geon_compiler INTERFACE -fsanitize=${GEON_SANITIZE})
 endif()
 if(GEON_COVERAGE)
