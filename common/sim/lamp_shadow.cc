@@ -19,14 +19,13 @@ LampShadow::LampShadow(const Scene& scene, const Vector3f& lamp_W_m)
   for (size_t k = 0; k < 4; ++k) {
     quarters_W_m_[k] = lamp_W_m + Vector3f(k % 2 == 0 ? -kHalfX_m : kHalfX_m,
                                            k / 2 == 0 ? -kHalfY_m : kHalfY_m, 0);
-    panel_W_m_.extend(quarters_W_m_[k].cast<double>());
   }
 }
 
-// Follows the light from the line up to the panel through the heights at which the body is: there
-// it stays within a box that shrinks and moves linearly from the line's box to the panel's.
+// Follows the light from the line up to the lamp through the heights at which the body is: there
+// it stays within a box that shrinks and moves linearly from the line's box to the lamp's.
 bool LampShadow::MayBlock(const Eigen::AlignedBox3d& body, const Eigen::AlignedBox3d& line) const {
-  const double lamp_m = panel_W_m_.min().z();
+  const double lamp_m = side_W_m_.min().z();
   if (std::max(body.max().z(), line.max().z()) > lamp_m - 0.1) return true;  // not below the lamp
   if (line.min().z() > body.max().z() + kMargin_m) return false;
   const auto share_of_way = [&](double height_m, double from_m) {
@@ -36,10 +35,10 @@ bool LampShadow::MayBlock(const Eigen::AlignedBox3d& body, const Eigen::AlignedB
   const double leaves_1 = share_of_way(body.max().z(), line.min().z());
   for (int axis = 0; axis < 2; ++axis) {
     const auto low = [&](double way_1) {
-      return (1.0 - way_1) * line.min()[axis] + way_1 * panel_W_m_.min()[axis];
+      return (1.0 - way_1) * line.min()[axis] + way_1 * side_W_m_.min()[axis];
     };
     const auto high = [&](double way_1) {
-      return (1.0 - way_1) * line.max()[axis] + way_1 * panel_W_m_.max()[axis];
+      return (1.0 - way_1) * line.max()[axis] + way_1 * side_W_m_.max()[axis];
     };
     if (std::min(low(enters_1), low(leaves_1)) > body.max()[axis] + kMargin_m) return false;
     if (std::max(high(enters_1), high(leaves_1)) < body.min()[axis] - kMargin_m) return false;
@@ -49,7 +48,8 @@ bool LampShadow::MayBlock(const Eigen::AlignedBox3d& body, const Eigen::AlignedB
 
 bool LampShadow::IsSurelyLit(const Vector3f& normal, const Vector3f& first, const Vector3f& last,
                              int body) const {
-  for (const Vector3f& quarter : quarters_W_m_) {
+  for (const size_t k : {first_quarter_, first_quarter_ + 1}) {
+    const Vector3f& quarter = quarters_W_m_[k];
     for (const Vector3f& end : {first, last}) {
       const Vector3f to_light = quarter - end;
       if (normal.dot(to_light) < kGrazingCosine * to_light.norm()) return false;
@@ -88,6 +88,9 @@ void LampShadow::AskLine(const SurfaceRow& row, int body, int begin, int end) {
 
 void LampShadow::Ask(const SurfaceRow& row, int v, std::span<uint8_t> lit) {
   std::fill(lit.begin(), lit.end(), uint8_t{1});
+  first_quarter_ = static_cast<size_t>(v % 2) * 2;
+  side_W_m_ = Eigen::AlignedBox3d(quarters_W_m_[first_quarter_].cast<double>());
+  side_W_m_.extend(quarters_W_m_[first_quarter_ + 1].cast<double>());
   for (Rays& rays : rays_) {
     rays.columns.clear();
     rays.points_W_m.clear();
@@ -102,8 +105,7 @@ void LampShadow::Ask(const SurfaceRow& row, int v, std::span<uint8_t> lit) {
   for (size_t odd = 0; odd < 2; ++odd) {
     Rays& rays = rays_[odd];
     rays.answers.resize(rays.columns.size());
-    scene_.Illuminate(quarters_W_m_[static_cast<size_t>(v % 2) * 2 + odd], rays.points_W_m,
-                      rays.answers);
+    scene_.Illuminate(quarters_W_m_[first_quarter_ + odd], rays.points_W_m, rays.answers);
     for (size_t k = 0; k < rays.columns.size(); ++k) {
       lit[static_cast<size_t>(rays.columns[k])] = rays.answers[k];
     }

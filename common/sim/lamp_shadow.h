@@ -15,7 +15,7 @@ namespace geon::sim {
 // block ask one quarter each, so that their mean gives shadows a soft edge.
 //
 // Each answer is that of a shadow ray, but most need no ray: along a row, pixels on one flat facet
-// lie on a straight line, and if no body's box reaches into the light between line and panel, all
+// lie on a straight line, and if no body's box reaches into the light between line and lamp, all
 // of them are lit. Otherwise the halves of the line are asked, and single rays at last.
 class LampShadow {
  public:
@@ -34,8 +34,9 @@ class LampShadow {
   const Scene& scene_;
   Eigen::Vector3f lamp_W_m_;
   std::array<Eigen::Vector3f, 4> quarters_W_m_;
-  Eigen::AlignedBox3d panel_W_m_;
-  struct Rays {  // of one row's even or odd columns
+  size_t first_quarter_ = 0;      // of the row in work: even columns ask it, odd ones the next
+  Eigen::AlignedBox3d side_W_m_;  // of the panel: the two quarters that the row in work asks
+  struct Rays {                   // of one row's even or odd columns
     std::vector<int> columns;
     std::vector<Eigen::Vector3f> points_W_m;
     std::vector<uint8_t> answers;

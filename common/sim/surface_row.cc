@@ -18,32 +18,28 @@ RowOfRays RaysOf(const View& view, int v) {
           (R_WC.col(0) / view.camera.fx_px).cast<float>()};
 }
 
-// A facet as its pixels see it. A corner's share of the inverse depth at a pixel is the product of
-// its row with (u, v, 1); the three sum up to the inverse depth.
+// A facet as its pixels see it: (u, v, 1) times row k, divided by the volume, is corner k's share
+// of the inverse depth.
 struct FacetInView {
-  Eigen::Matrix3d shares;
-  std::array<Vector3d, 3> normals;
+  Vector3d bc, ca, ab;
+  double volume;
+  std::array<const Vector3d*, 3> normals;
 };
 
 FacetInView InView(const Scene& scene, const View& view, const Facets::Facet& facet) {
-  const auto corner = [&](size_t k) -> const Vector3d& {
-    return view.corners_px_m[static_cast<size_t>(facet.corners[k])];
-  };
-  const Vector3d &a = corner(0), &b = corner(1), &c = corner(2);
-  const Vector3d bc = b.cross(c);
-  FacetInView seen;
-  const double scale = 1.0 / a.dot(bc);
-  seen.shares.row(0) = scale * bc;
-  seen.shares.row(1) = scale * c.cross(a);
-  seen.shares.row(2) = scale * a.cross(b);
-  for (size_t k = 0; k < 3; ++k) {
-    seen.normals[k] = scene.facets().normals_W()[static_cast<size_t>(facet.corners[k])];
-  }
+  const auto [i, j, k] =
+      std::array{static_cast<size_t>(facet.corners[0]), static_cast<size_t>(facet.corners[1]),
+                 static_cast<size_t>(facet.corners[2])};
+  const Vector3d &a = view.corners_px_m[i], &b = view.corners_px_m[j], &c = view.corners_px_m[k];
+  const std::vector<Vector3d>& normals = scene.facets().normals_W();
+  FacetInView seen = {
+      b.cross(c), c.cross(a), a.cross(b), 0.0, {&normals[i], &normals[j], &normals[k]}};
+  seen.volume = a.dot(seen.bc);
   return seen;
 }
 
 Vector3f TowardsViewer(const Vector3d& normal, const Vector3f& ray) {
-  const Vector3f unit = normal.normalized().cast<float>();
+  const Vector3f unit = normal.cast<float>().normalized();
   return unit.dot(ray) > 0.0F ? Vector3f(-unit) : unit;
 }
 
@@ -62,32 +58,34 @@ void FillPoints(const RowOfRays& rays, float nearness_1_m, float step_1_m, int b
 }
 
 void FillNormals(const Vector3f& normal, int begin, int end, SurfaceRow* row) {
-  const auto fill = [&](std::vector<float>* values, float value) {
-    std::fill(values->begin() + begin, values->begin() + end, value);
-  };
-  fill(&row->normal_x, normal.x());
-  fill(&row->normal_y, normal.y());
-  fill(&row->normal_z, normal.z());
+  for (auto u = static_cast<size_t>(begin); u < static_cast<size_t>(end); ++u) {
+    row->normal_x[u] = normal.x();
+    row->normal_y[u] = normal.y();
+    row->normal_z[u] = normal.z();
+  }
 }
 
 // Columns [begin, end) that see one facet.
 void FillFacet(const FacetInView& seen, const RowOfRays& rays, int v, int begin, int end,
                SurfaceRow* row) {
-  const Vector3d plane = seen.shares.colwise().sum();
-  FillPoints(rays, static_cast<float>(plane.dot(Vector3d(begin, v, 1.0))),
+  const Vector3d plane = (seen.bc + seen.ca + seen.ab) / seen.volume;
+  FillPoints(rays, static_cast<float>(plane.x() * begin + plane.y() * v + plane.z()),
              static_cast<float>(plane.x()), begin, end, row);
-  const auto& n = seen.normals;
-  const double bent = (n[1] - n[0]).squaredNorm() + (n[2] - n[0]).squaredNorm();
+  const Vector3d &n_a = *seen.normals[0], &n_b = *seen.normals[1], &n_c = *seen.normals[2];
+  const double bent = (n_b - n_a).squaredNorm() + (n_c - n_a).squaredNorm();
   if (bent < 1e-12) {
     const Vector3f ray = rays.first + static_cast<float>(begin) * rays.step;
-    FillNormals(TowardsViewer(n[0], ray), begin, end, row);
+    FillNormals(TowardsViewer(n_a, ray), begin, end, row);
     return;
   }
+  const double per_volume = 1.0 / seen.volume;
   for (int u = begin; u < end; ++u) {
-    const Vector3d share = seen.shares * Vector3d(u, v, 1.0);
+    const auto weight = [&](const Vector3d& edge) {
+      return (edge.x() * u + edge.y() * v + edge.z()) * per_volume;
+    };
     const Vector3f ray = rays.first + static_cast<float>(u) * rays.step;
-    FillNormals(TowardsViewer(share[0] * n[0] + share[1] * n[1] + share[2] * n[2], ray), u, u + 1,
-                row);
+    const Vector3d normal = weight(seen.bc) * n_a + weight(seen.ca) * n_b + weight(seen.ab) * n_c;
+    FillNormals(TowardsViewer(normal, ray), u, u + 1, row);
   }
 }
 

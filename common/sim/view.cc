@@ -7,39 +7,42 @@ namespace geon::sim {
 namespace {
 
 using Eigen::Vector3d;
+using Eigen::Vector3f;
 
 // Nearer corners count as behind the camera: their pixels say nothing about the facet's.
-constexpr double kNearest_m = 1e-3;
+constexpr float kNearest_m = 1e-3F;
 
 struct Rectangle {
   int left, right, top, bottom;  // all included
 };
 
 // Least integer not below, greatest not above `x`, which must be representable.
-int Ceil(double x) {
+template <typename Real>
+int Ceil(Real x) {
   const int k = static_cast<int>(x);
-  return k + (static_cast<double>(k) < x ? 1 : 0);
+  return k + (static_cast<Real>(k) < x ? 1 : 0);
 }
-int Floor(double x) {
+template <typename Real>
+int Floor(Real x) {
   const int k = static_cast<int>(x);
-  return k - (static_cast<double>(k) > x ? 1 : 0);
+  return k - (static_cast<Real>(k) > x ? 1 : 0);
 }
 
-// The pixels among which a facet's are.
-Rectangle PixelsAround(const Vector3d& a, const Vector3d& b, const Vector3d& c, int width,
+// The pixels among which a facet's are. Most facets of a round body are smaller than a pixel and
+// have none: this is where they are let go.
+Rectangle PixelsAround(const Vector3f& a, const Vector3f& b, const Vector3f& c, int width,
                        int height) {
-  constexpr double kMargin_px = 1e-6;  // for the rounding of the quotients
-  const double right_px = width - 1, bottom_px = height - 1;
-  const double a_1 = 1.0 / a.z(), b_1 = 1.0 / b.z(), c_1 = 1.0 / c.z();
-  const auto first = [&](int axis, double last_px) {
-    return Ceil(std::clamp(std::min({a[axis] * a_1, b[axis] * b_1, c[axis] * c_1}) - kMargin_px,
-                           0.0, last_px + 1.0));
+  constexpr float kMargin_px = 1e-3F;  // more than the corners are rounded
+  const auto first = [](float x, float y, float z, int end) {
+    const float least = std::min(std::min(x, y), z) - kMargin_px;
+    return Ceil(std::max(0.0F, std::min(least, static_cast<float>(end))));
   };
-  const auto last = [&](int axis, double last_px) {
-    return Floor(std::clamp(std::max({a[axis] * a_1, b[axis] * b_1, c[axis] * c_1}) + kMargin_px,
-                            -1.0, last_px));
+  const auto last = [](float x, float y, float z, int end) {
+    const float most = std::max(std::max(x, y), z) + kMargin_px;
+    return Floor(std::max(-1.0F, std::min(most, static_cast<float>(end - 1))));
   };
-  return {first(0, right_px), last(0, right_px), first(1, bottom_px), last(1, bottom_px)};
+  return {first(a.x(), b.x(), c.x(), width), last(a.x(), b.x(), c.x(), width),
+          first(a.y(), b.y(), c.y(), height), last(a.y(), b.y(), c.y(), height)};
 }
 
 // A facet takes those pixels of a row at which it is nearer than what was there.
@@ -54,16 +57,22 @@ void ClaimSpan(float nearness_1_m, float step_1_m, int number, int count, float*
   }
 }
 
-void Claim(int number, const Vector3d& a, const Vector3d& b, const Vector3d& c, View* view) {
+void Claim(int number, const std::array<int, 3>& corners, View* view) {
   const int width = view->camera.width_px, height = view->camera.height_px;
+  const auto [i, j, k] =
+      std::array{static_cast<size_t>(corners[0]), static_cast<size_t>(corners[1]),
+                 static_cast<size_t>(corners[2])};
+  const Vector3f &a_px = view->corners_px[i], &b_px = view->corners_px[j],
+                 &c_px = view->corners_px[k];
   Rectangle box = {0, width - 1, 0, height - 1};
   double least = 0.0;
-  if (std::min({a.z(), b.z(), c.z()}) > kNearest_m) {
-    box = PixelsAround(a, b, c, width, height);
+  if (std::min(std::min(a_px.z(), b_px.z()), c_px.z()) > kNearest_m) {
+    box = PixelsAround(a_px, b_px, c_px, width, height);
     if (box.left > box.right || box.top > box.bottom) return;
     // Seen edge-on, less than a millionth of a pixel: its depth would be all rounding.
-    least = 1e-6 * a.z() * b.z() * c.z();
+    least = 1e-6 * static_cast<double>(a_px.z() * b_px.z() * c_px.z());
   }
+  const Vector3d &a = view->corners_px_m[i], &b = view->corners_px_m[j], &c = view->corners_px_m[k];
   std::array<Vector3d, 3> edges = {b.cross(c), c.cross(a), a.cross(b)};
   const double volume = a.dot(edges[0]);
   if (std::abs(volume) <= least) return;
@@ -118,6 +127,7 @@ void LookThrough(const Scene& scene, const geometry::PinholeCamera& camera,
   view->nearness_1_m.assign(pixels, 0.0F);
   const Facets& facets = scene.facets();
   view->corners_px_m.resize(facets.corners_W_m().size());
+  view->corners_px.resize(facets.corners_W_m().size());
 
   Eigen::Matrix3d pixel_of_ray;
   pixel_of_ray << camera.fx_px, 0, camera.cx_px, 0, camera.fy_px, camera.cy_px, 0, 0, 1;
@@ -132,14 +142,12 @@ void LookThrough(const Scene& scene, const geometry::PinholeCamera& camera,
     if (IsBeside(box, camera.width_px, camera.height_px)) continue;
     for (auto k = static_cast<size_t>(part.first_corner); k < static_cast<size_t>(part.end_corner);
          ++k) {
-      view->corners_px_m[k] = turn * (facets.corners_W_m()[k] - eye_W_m);
+      const Vector3d p = turn * (facets.corners_W_m()[k] - eye_W_m);
+      view->corners_px_m[k] = p;
+      view->corners_px[k] = Vector3d(p.x() / p.z(), p.y() / p.z(), p.z()).cast<float>();
     }
     for (int k = part.first_facet; k < part.end_facet; ++k) {
-      const auto& corners = facets.facets()[static_cast<size_t>(k)].corners;
-      const auto at = [&](size_t i) -> const Vector3d& {
-        return view->corners_px_m[static_cast<size_t>(corners[i])];
-      };
-      Claim(k, at(0), at(1), at(2), view);
+      Claim(k, facets.facets()[static_cast<size_t>(k)].corners, view);
     }
   }
 }

@@ -27,6 +27,7 @@ struct View {
   std::vector<float> nearness_1_m;  // inverse of the depth along the optical axis; 0: nothing
   // Corners of the facets: (u, v, 1) times the depth. Only of bodies that may be in the picture.
   std::vector<Eigen::Vector3d> corners_px_m;
+  std::vector<Eigen::Vector3f> corners_px;  // (u, v, depth), rounded: enough to look near them
 };
 
 // Fills `view`, whose memory is used again.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sim/random_world.h"
 #include "tests/common/sim/scene_testing.h"
 
@@ -48,8 +50,10 @@ TEST(LampShadowTest, IsThatOfRaysInRandomWorlds) {
     const World world = RandomWorld(seed, GeonPlace::kAny);
     const WorldObject& geon = world.objects.back();
     const auto X_WR = geometry::PlanarPose(geon.x_m - 1.2, geon.y_m, 0.0);
-    CountAgainstRays(**BuildScene(world), rig.color_camera, X_WR * rig.ColorCameraPose(0.0, -0.5),
-                     &count);
+    const double tilt_rad =
+        RadiansFromDegrees(15.0) - std::atan2(1.2 - FootHeight(world, geon), 1.2);
+    CountAgainstRays(**BuildScene(world), rig.color_camera,
+                     X_WR * rig.ColorCameraPose(0.05, tilt_rad), &count);
   }
   EXPECT_EQ(count.wrong, 0);
   EXPECT_GT(count.dark, 5000);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "base/angles.h"
@@ -13,6 +14,7 @@ namespace {
 
 struct Comparison {
   int pixels = 0;
+  int curved = 0;               // of these on round surfaces
   int other_surfaces = 0;       // another body, or more than a millimetre away: a silhouette
   double farthest_m = 0.0;      // between the points of the others
   double largest_turn_1 = 0.0;  // between their normals
@@ -34,6 +36,7 @@ void CompareWithRays(const Scene& scene, const geometry::PinholeCamera& camera,
     scene.Look(X_WC.translation().cast<float>(), rays, traced);
     ResolveRow(scene, view, v, 0, camera.width_px, &row);
     for (const SurfaceRow::Run& run : row.runs) {
+      if (run.body >= 0 && !run.flat) comparison->curved += run.end - run.begin;
       for (int u = run.begin; u < run.end; ++u) {
         ++comparison->pixels;
         const Sighting& ray = traced[static_cast<size_t>(u)];
@@ -64,16 +67,20 @@ TEST(SurfaceRowTest, IsWhatRaysMeetInRandomWorlds) {
       const geometry::RigidTransform X_WR =
           geometry::PlanarPose(geon.x_m - away_m * std::cos(angle_rad),
                                geon.y_m - away_m * std::sin(angle_rad), angle_rad);
-      const double tilt_rad = RadiansFromDegrees(-20.0);
-      CompareWithRays(*scene, rig.color_camera, X_WR * rig.ColorCameraPose(0.1, tilt_rad),
+      // At the geon's middle, from a camera 1.3 m above the floor.
+      const double tilt_rad =
+          RadiansFromDegrees(15.0) - std::atan2(1.2 - FootHeight(world, geon), away_m);
+      CompareWithRays(*scene, rig.color_camera, X_WR * rig.ColorCameraPose(0.05, tilt_rad),
                       &comparison);
       CompareWithRays(*scene, rig.floor_camera, X_WR * rig.X_RF, &comparison);
     }
   }
   RecordProperty("pixels", comparison.pixels);
+  RecordProperty("curved", comparison.curved);
   RecordProperty("other_surfaces", comparison.other_surfaces);
   RecordProperty("farthest_m", std::to_string(comparison.farthest_m));
   RecordProperty("largest_turn_1", std::to_string(comparison.largest_turn_1));
+  EXPECT_GT(comparison.curved, 100000);
   EXPECT_LE(comparison.other_surfaces, 5e-4 * comparison.pixels);
   EXPECT_LT(comparison.farthest_m, 1e-4);
   EXPECT_LT(comparison.largest_turn_1, 0.02);
