@@ -14,7 +14,7 @@
 namespace geon::planner {
 
 // Runs one mission: tells it what robot and recognizer say, steps it 20 times a second, and sends
-// what it wishes. BASE_COMMAND goes out at 10 Hz and names the newest BASE_STATE; PLANNER_STATE at
+// what it wishes. BASE_COMMAND goes out with every step and names the newest BASE_STATE; PLANNER_STATE at
 // 5 Hz and with every change of phase. After the end the final state is kept on the bus; a
 // restarted planner starts a new mission from the search.
 class PlannerNode {

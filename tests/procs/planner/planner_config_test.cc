@@ -1,0 +1,67 @@
+#include "procs/planner/planner_config.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/angles.h"
+
+namespace geon::planner {
+namespace {
+
+using testing::HasSubstr;
+
+const std::filesystem::path kRobotFile =
+    std::filesystem::path(GEON_SOURCE_DIR) / "scripts/config/robot.yaml";
+
+// The planner's section of the shipped robot file, with `from` replaced by `to`.
+Status ReadWith(const std::string& from, const std::string& to, mission::MissionOptions* options) {
+  std::ifstream file(kRobotFile);
+  std::stringstream text;
+  text << file.rdbuf();
+  std::string yaml = text.str();
+  yaml = yaml.substr(yaml.find("\nplanner:"));
+  yaml = yaml.substr(0, yaml.find("\nrecognizer:"));
+  const size_t at = yaml.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  yaml.replace(at, from.size(), to);
+  auto document = config::YamlDocument::Parse(yaml, "robot.yaml");
+  ReadPlannerSection(document->root().Child("planner"), kRobotFile, options);
+  return document->Finish();
+}
+
+TEST(PlannerConfigTest, TheShippedFileIsGood) {
+  mission::MissionOptions options;
+  const Status status = ReadWith("seed: 1", "seed: 9", &options);
+  ASSERT_TRUE(status.ok()) << status.message();
+  EXPECT_EQ(options.seed, 9U);
+  EXPECT_NEAR(options.driving.velocity.max_turn_rate_rad_s, RadiansFromDegrees(60.0), 1e-12);
+  EXPECT_NEAR(options.looking.sweep.pan_max_rad, RadiansFromDegrees(60.0), 1e-12);
+  EXPECT_EQ(options.looking.support_heights_m.size(), 2U);
+}
+
+TEST(PlannerConfigTest, ADeadPlannersRobotStandsInTime) {
+  mission::MissionOptions options;
+  ASSERT_TRUE(ReadWith("seed: 1", "seed: 2", &options).ok());
+  // 0.15 s until the base lets a command lapse, 0.05 s to its motors, and braking at 1.5 m/s^2.
+  EXPECT_LE(0.15 + 0.05 + options.driving.velocity.max_speed_m_s / 1.5, 0.5);
+}
+
+TEST(PlannerConfigTest, RefusalsNameFileLineAndRule) {
+  mission::MissionOptions options;
+  EXPECT_THAT(ReadWith("target_color: super-red", "target_color: reddish", &options).message(),
+              testing::AllOf(HasSubstr("robot.yaml:"), HasSubstr("reddish")));
+  EXPECT_THAT(ReadWith("pan_deg: [-60, 60]", "pan_deg: [60, -60]", &options).message(),
+              HasSubstr("right below left"));
+  EXPECT_THAT(ReadWith("seed: 1", "seed: -1", &options).message(), HasSubstr("negative"));
+  EXPECT_THAT(ReadWith("wander_s: 7.0", "wonder_s: 7.0", &options).message(),
+              HasSubstr("wonder_s"));
+  EXPECT_THAT(ReadWith("min_stripes: 4", "min_stripes: 9", &options).message(),
+              HasSubstr("min_stripes"));
+}
+
+}  // namespace
+}  // namespace geon::planner
