@@ -11,11 +11,16 @@ struct DifferenceOfSlopeOptions {
   int gap = 3;      // M, samples between them, at least the arc length of a corner
   // theta_Smax: within +-this the curve is straight. Section 5.3.1 gives no values for this and the
   // next two; these come from a random search on synthetic views (see recognize_geon.h).
-  double zero_range_rad = 0.083;
-  int curve_width = 36;      // s_curve, samples: wider peaks are curves
-  double corner_rad = 1.15;  // theta_corner: higher peaks are corners
-  // A negative peak must fall below minus this to count as a concavity (figure 5.11).
-  double concave_rad = 0.22;
+  double zero_range_rad = 0.021;
+  int curve_width = 38;     // s_curve, samples: wider peaks are curves
+  double corner_rad = 1.5;  // theta_corner: higher peaks are corners
+  // A negative peak must fall below minus this, and be wider than this many samples, to count as a
+  // concavity (figure 5.11): a dent of a few samples is noise.
+  double concave_rad = 0.17;
+  int concave_width = 11;
+  // The zero-range and concave_rad are at least so many standard deviations of theta's own noise.
+  double zero_noise_1 = 0.0;
+  double concave_noise_1 = 3.2;
   void Validate() const;  // throws ContractViolation
 };
 
@@ -23,6 +28,7 @@ struct DifferenceOfSlopeOptions {
 struct ThetaPlot {
   int first = 0;
   std::vector<double> theta_rad;  // positive: convex (clockwise)
+  double noise_rad = 0.0;         // standard deviation of theta where the curve is straight
 };
 
 // What a profile is made of.
@@ -40,6 +46,11 @@ struct CurveFeatures {
 // answer where the profile runs in depth. Empty when the curve has fewer than 2 W + M samples.
 ThetaPlot ComputeThetaPlot(std::span<const Eigen::Vector2d> curve_m,
                            const DifferenceOfSlopeOptions& options);
+
+// The noise of theta for points `points_per_sample_1` to a sample, each `noise_m` off the curve
+// (standard deviation), and samples `step_m` apart: that of the difference of two regressions.
+double ThetaNoise(double noise_m, double points_per_sample_1, double step_m,
+                  const DifferenceOfSlopeOptions& options);
 
 // Peaks of the theta-plot: width and height tell corner from curve; low and narrow is noise; high
 // and wide is a corner right beside a curve (figure 5.9), both of which are counted.

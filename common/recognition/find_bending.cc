@@ -29,16 +29,23 @@ double ConcaveDepth(const Eigen::Vector3d& p1_B_m, const Eigen::Vector3d& p2_B_m
   return inwards * (p2_m[across] - (p1_m[across] + t * (p3_m[across] - p1_m[across])));
 }
 
-double LargestConcaveDepth(std::span<const ProfileEnds> ends, int across) {
-  double largest_m = 0.0;
+// (5.3) over all triples of neighbouring stripes and both of their ends.
+void AddConcaveEdges(std::span<const ProfileEnds> ends, int across, const BendingOptions& options,
+                     sensor::BendingEvidence* bending) {
   for (size_t i = 0; i + 2 < ends.size(); ++i) {
-    const double first_m =
-        ConcaveDepth(ends[i].first_B_m, ends[i + 1].first_B_m, ends[i + 2].first_B_m, across, 1.0);
-    const double last_m =
-        ConcaveDepth(ends[i].last_B_m, ends[i + 1].last_B_m, ends[i + 2].last_B_m, across, -1.0);
-    largest_m = std::max({largest_m, first_m, last_m});
+    const ProfileEnds &a = ends[i], &b = ends[i + 1], &c = ends[i + 2];
+    const auto add = [&](const Eigen::Vector3d& p1_B_m, const Eigen::Vector3d& p2_B_m,
+                         const Eigen::Vector3d& p3_B_m, double inwards) {
+      const double depth_m = ConcaveDepth(p1_B_m, p2_B_m, p3_B_m, across, inwards);
+      const double span_m = std::abs(p3_B_m[1 - across] - p1_B_m[1 - across]);
+      bending->concave_edge_m = std::max(bending->concave_edge_m, depth_m);
+      if (depth_m > options.concave_edge_m + options.concave_edge_1 * span_m) {
+        bending->concave_edge = true;
+      }
+    };
+    add(a.first_B_m, b.first_B_m, c.first_B_m, 1.0);
+    add(a.last_B_m, b.last_B_m, c.last_B_m, -1.0);
   }
-  return largest_m;
 }
 
 }  // namespace
@@ -46,6 +53,8 @@ double LargestConcaveDepth(std::span<const ProfileEnds> ends, int across) {
 void BendingOptions::Validate() const {
   Require(concave_edge_m > 0.0,
           "concave_edge_m is " + std::to_string(concave_edge_m) + ", must be positive");
+  Require(concave_edge_1 >= 0.0,
+          "concave_edge_1 is " + std::to_string(concave_edge_1) + ", must not be negative");
 }
 
 sensor::BendingEvidence FindBending(std::span<const sensor::ProfileEvidence> profiles,
@@ -57,9 +66,8 @@ sensor::BendingEvidence FindBending(std::span<const sensor::ProfileEvidence> pro
     bending.two_segments = bending.two_segments || profile.segments >= 2;
     bending.concavity = bending.concavity || profile.concavities > 0;
   }
-  bending.concave_edge_m =
-      std::max(LargestConcaveDepth(horizontal, 0), LargestConcaveDepth(vertical, 1));
-  bending.concave_edge = bending.concave_edge_m > options.concave_edge_m;  // (5.3)
+  AddConcaveEdges(horizontal, 0, options, &bending);
+  AddConcaveEdges(vertical, 1, options, &bending);
   return bending;
 }
 

@@ -9,7 +9,10 @@ namespace geon::recognition {
 
 struct BendingOptions {
   // k_tol of (5.3). The thesis prints no value; this is several times the noise of an end point.
-  double concave_edge_m = 0.0053;
+  double concave_edge_m = 0.00097;
+  // The tolerance grows by this much of the distance from p1 to p3: perspective bends the outline
+  // of a straight body a little, in proportion to its size.
+  double concave_edge_1 = 0.0;
   void Validate() const;  // throws ContractViolation
 };
 

@@ -9,6 +9,13 @@
 namespace geon::recognition {
 namespace {
 
+double InMetres(const TaperingTolerance& tolerance, std::span<const ProfileEnds> ends) {
+  double sum_m = 0.0;
+  for (const ProfileEnds& e : ends) sum_m += e.length_m;
+  const double mean_m = ends.empty() ? 0.0 : sum_m / static_cast<double>(ends.size());
+  return tolerance.absolute_m + tolerance.relative_1 * mean_m;
+}
+
 // (5.4-5.7): strictly rising or strictly falling, every step above the tolerance.
 bool IsMonotone(std::span<const ProfileEnds> ends, double tolerance_m) {
   if (ends.size() < 3) return false;
@@ -42,26 +49,28 @@ double Asymmetry(std::span<const ProfileEnds> ends, int across) {
 }  // namespace
 
 void TaperingOptions::Validate() const {
-  const auto check = [](double value_m, const char* name) {
-    Require(value_m >= 0.0,
-            std::string(name) + " is " + std::to_string(value_m) + ", must not be negative");
+  const auto check = [](const TaperingTolerance& tolerance, const char* name) {
+    Require(tolerance.absolute_m >= 0.0 && tolerance.relative_1 >= 0.0,
+            std::string(name) + " is " + std::to_string(tolerance.absolute_m) + " m + " +
+                std::to_string(tolerance.relative_1) + " of the length, must not be negative");
   };
-  check(horizontal_length_m, "horizontal_length_m");
-  check(vertical_length_m, "vertical_length_m");
-  check(horizontal_step_m, "horizontal_step_m");
-  check(vertical_step_m, "vertical_step_m");
+  check(horizontal_length, "horizontal_length");
+  check(vertical_length, "vertical_length");
+  check(horizontal_step, "horizontal_step");
+  check(vertical_step, "vertical_step");
 }
 
 sensor::TaperingEvidence FindTapering(std::span<const ProfileEnds> horizontal,
                                       std::span<const ProfileEnds> vertical,
                                       const TaperingOptions& options) {
   sensor::TaperingEvidence tapering;
-  tapering.monotone_horizontal = IsMonotone(horizontal, options.horizontal_length_m);
-  tapering.monotone_vertical = IsMonotone(vertical, options.vertical_length_m);
+  tapering.monotone_horizontal =
+      IsMonotone(horizontal, InMetres(options.horizontal_length, horizontal));
+  tapering.monotone_vertical = IsMonotone(vertical, InMetres(options.vertical_length, vertical));
   const double horizontal_m = Asymmetry(horizontal, 0);
   const double vertical_m = Asymmetry(vertical, 1);
-  tapering.asymmetric_ends =
-      horizontal_m > options.horizontal_step_m || vertical_m > options.vertical_step_m;  // (5.8)
+  tapering.asymmetric_ends = horizontal_m > InMetres(options.horizontal_step, horizontal) ||
+                             vertical_m > InMetres(options.vertical_step, vertical);  // (5.8)
   tapering.asymmetry_m = std::max(horizontal_m, vertical_m);
   return tapering;
 }

@@ -7,15 +7,22 @@
 
 namespace geon::recognition {
 
+// How much a length or step must differ to count: an absolute part, for noise, and a part of the
+// mean length of the profiles in that direction, for what perspective does to straight bodies.
+struct TaperingTolerance {
+  double absolute_m = 0.0;
+  double relative_1 = 0.0;
+};
+
 struct TaperingOptions {
   // Lengths count as different (5.4-5.7) when they differ by more than this: noise alone would make
   // three equal lengths monotone one time in three. Vertical stripes cross the top and the front of
   // an object, which perspective foreshortens unequally: they need more.
-  double horizontal_length_m = 0.0031;
-  double vertical_length_m = 0.0135;
+  TaperingTolerance horizontal_length{0.0015, 0.014};
+  TaperingTolerance vertical_length{0.0005, 0.048};
   // k_tol of (5.8) for each direction. The thesis prints no value.
-  double horizontal_step_m = 0.063;
-  double vertical_step_m = 0.0217;
+  TaperingTolerance horizontal_step{0.037, 0.16};
+  TaperingTolerance vertical_step{0.012, 0.019};
   void Validate() const;  // throws ContractViolation
 };
 

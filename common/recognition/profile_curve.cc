@@ -18,9 +18,8 @@ sensor::RangeProfile Part(const sensor::RangeProfile& profile, size_t begin, siz
   return part;
 }
 
-bool IsLongEnough(const sensor::RangeProfile& part, const SegmentOptions& options) {
-  return static_cast<int>(part.pixel.size()) >= options.fewest_points &&
-         (part.p_L_m.back() - part.p_L_m.front()).norm() >= options.shortest_m;
+double Extent(const sensor::RangeProfile& part) {
+  return (part.p_L_m.back() - part.p_L_m.front()).norm();
 }
 
 // Mean of the curve between the arc lengths `begin_m` and `end_m`: the integral of its straight
@@ -49,6 +48,8 @@ void SegmentOptions::Validate() const {
   Require(split_m > 0.0, "split_m is " + std::to_string(split_m) + ", must be positive");
   Require(shortest_m >= 0.0,
           "shortest_m is " + std::to_string(shortest_m) + ", must not be negative");
+  Require(shortest_share_1 >= 0.0 && shortest_share_1 < 1.0,
+          "shortest_share_1 is " + std::to_string(shortest_share_1) + ", must be in [0, 1)");
   Require(fewest_points >= 2,
           "fewest_points is " + std::to_string(fewest_points) + ", must be at least 2");
 }
@@ -56,14 +57,19 @@ void SegmentOptions::Validate() const {
 std::vector<sensor::RangeProfile> SplitIntoSegments(const sensor::RangeProfile& profile,
                                                     const SegmentOptions& options) {
   std::vector<sensor::RangeProfile> segments;
+  double longest_m = 0.0;
   size_t begin = 0;
   for (size_t i = 0; i < profile.pixel.size(); ++i) {
     const bool last = i + 1 == profile.pixel.size();
     if (!last && (profile.p_L_m[i + 1] - profile.p_L_m[i]).norm() <= options.split_m) continue;
-    sensor::RangeProfile part = Part(profile, begin, i + 1);
-    if (IsLongEnough(part, options)) segments.push_back(std::move(part));
+    segments.push_back(Part(profile, begin, i + 1));
+    longest_m = std::max(longest_m, Extent(segments.back()));
     begin = i + 1;
   }
+  const double shortest_m = std::max(options.shortest_m, options.shortest_share_1 * longest_m);
+  std::erase_if(segments, [&](const sensor::RangeProfile& part) {
+    return static_cast<int>(part.pixel.size()) < options.fewest_points || Extent(part) < shortest_m;
+  });
   return segments;
 }
 

@@ -13,9 +13,10 @@ struct SegmentOptions {
   // Two neighbouring points further apart than this belong to two segments, whether pixels are
   // missing between them or not. More than what a grazing surface or a dark fleck leaves, less than
   // the opening of a bent geon.
-  double split_m = 0.025;
+  double split_m = 0.05;
   // A segment shorter than this is a stray reflection and is dropped.
-  double shortest_m = 0.015;
+  double shortest_m = 0.013;
+  double shortest_share_1 = 0.11;  // ... or shorter than this part of the longest segment
   int fewest_points = 5;
   void Validate() const;  // throws ContractViolation
 };

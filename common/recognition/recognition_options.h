@@ -29,7 +29,7 @@ struct RecognitionOptions {
   BackgroundOptions background;
   SegmentOptions segments;
   CurvatureMethod curvature = CurvatureMethod::kOGorman;
-  int samples = 86;  // equal steps of arc length a profile is resampled to
+  int samples = 105;  // equal steps of arc length a profile is resampled to
   DifferenceOfSlopeOptions difference_of_slope;
   PolylineOptions polyline;
   BendingOptions bending;

@@ -6,6 +6,7 @@
 
 #include "base/contracts.h"
 #include "recognition/decide_geon.h"
+#include "recognition/profile_noise.h"
 
 namespace geon::recognition {
 namespace {
@@ -25,6 +26,7 @@ void CheckScan(const sensor::ScanSet& scan) {
 
 // One profile on the target, split where it does not hang together.
 struct TargetProfile {
+  double noise_m = 0.0;  // of its depths before smoothing
   RangeProfile profile;  // from the first point of the first segment to the last of the last
   std::vector<RangeProfile> segments;
 };
@@ -49,11 +51,14 @@ TargetProfile FindTarget(const RangeProfile& profile, const sensor::ScanSet& sca
 
 // Adds what one segment shows to the evidence of its profile; `offset_m` is the arc length before
 // it.
-void DescribeSegment(const std::vector<Eigen::Vector2d>& curve_m, int samples, double offset_m,
-                     const RecognitionOptions& options, ProfileEvidence* evidence) {
+void DescribeSegment(const std::vector<Eigen::Vector2d>& curve_m, double noise_m, int samples,
+                     double offset_m, const RecognitionOptions& options,
+                     ProfileEvidence* evidence) {
   const std::vector<Eigen::Vector2d> even_m = ResampleEqualArc(curve_m, samples);
   const double step_m = ArcLength(even_m) / std::max(samples - 1, 1);
-  const ThetaPlot plot = ComputeThetaPlot(even_m, options.difference_of_slope);
+  ThetaPlot plot = ComputeThetaPlot(even_m, options.difference_of_slope);
+  plot.noise_rad = ThetaNoise(noise_m, static_cast<double>(curve_m.size()) / samples, step_m,
+                              options.difference_of_slope);
   for (size_t i = 0; i < plot.theta_rad.size(); ++i) {
     evidence->arc_length_m.push_back(offset_m + (plot.first + static_cast<double>(i)) * step_m);
     evidence->theta_rad.push_back(plot.theta_rad[i]);
@@ -100,7 +105,9 @@ ProfileEvidence DescribeProfile(const TargetProfile& target, const sensor::ScanS
   for (const std::vector<Eigen::Vector2d>& curve_m : curves_m) {
     const double length_m = ArcLength(curve_m);
     const int samples = static_cast<int>(options.samples * length_m / total_m + 0.5);
-    if (samples >= 2) DescribeSegment(curve_m, samples, offset_m, options, &evidence);
+    if (samples >= 2) {
+      DescribeSegment(curve_m, target.noise_m, samples, offset_m, options, &evidence);
+    }
     offset_m += length_m;
   }
   return evidence;
@@ -135,8 +142,10 @@ sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const Recognition
   const std::optional<VerticalRegion> region = FindVerticalRegion(scan, options.background);
   std::vector<RangeProfile> on_target;
   std::vector<TargetProfile> targets;
-  for (const RangeProfile& profile : smooth) {
-    targets.push_back(FindTarget(profile, scan, region, options));
+  for (size_t i = 0; i < smooth.size(); ++i) {
+    targets.push_back(FindTarget(smooth[i], scan, region, options));
+    targets.back().noise_m = DepthNoise(scan.profiles[i], scan.camera_position_L_m,
+                                        scan.profiles[i].rotation_LB.value_or(scan.rotation_LB));
     on_target.push_back(targets.back().profile);
   }
   // 3. Corners, curves and lines.

@@ -11,9 +11,8 @@ namespace geon::recognition {
 // Source: thesis chapter 5, the six stages of figure 5.1: smoothing, background removal, corners,
 // curves and lines of each profile, evidence of bending, evidence of tapering, decision tree.
 //
-// Thresholds: the best draws of short random searches on synthetic views (perspective, occlusion,
-// 0.1 px noise, the robot's two distances and elevations). The search is not in the repository and
-// its rate is therefore not quoted; tapered geons are its weak point.
+// Thresholds: those the thesis leaves open were searched with `geon experiment tune` on scans of
+// random shapes; docs/experiments.md has the rates.
 //
 // Deterministic: the same scan set and options give the same verdict bit for bit. The scan's
 // `truth` is never looked at; utime, seq are left 0 and scan_id is the scan's. Outcomes: `decided`

@@ -12,7 +12,7 @@ struct SmoothingOptions {
   Smoothing kind = Smoothing::kMedian;
   // The window reaches this far to each side of a pixel. The thesis names no size; 2 (five pixels)
   // drops two neighbouring spikes and leaves corners where they are.
-  int half_width_px = 5;
+  int half_width_px = 7;
   double gaussian_sigma_px = 1.2;
   void Validate() const;  // throws ContractViolation
 };

@@ -30,7 +30,8 @@ TEST(ThetaPlot, PeaksWithTheCornersAngleWhereTheCornerIs) {
   const ThetaPlot plot = ComputeThetaPlot(PolylineCurve(0.1, {1.2}, kPlotSamples), {});
   const auto peak = std::max_element(plot.theta_rad.begin(), plot.theta_rad.end());
   EXPECT_NEAR(*peak, 1.2, 0.02);
-  EXPECT_NEAR(plot.first + static_cast<double>(peak - plot.theta_rad.begin()), 0.5 * kPlotSamples, 2.0);
+  EXPECT_NEAR(plot.first + static_cast<double>(peak - plot.theta_rad.begin()), 0.5 * kPlotSamples,
+              2.0);
 }
 
 TEST(ThetaPlot, IsConstantOnAnArcAndNegativeOnAConcaveOne) {
@@ -107,11 +108,56 @@ TEST(FindFeatures, AHighWidePeakIsACornerBesideACurve) {
 
 TEST(FindFeatures, APeakThatChangesSignAtOnceIsTwo) {
   DifferenceOfSlopeOptions options;
+  options.concave_width = 0;
   const std::vector<double> theta_rad = {0, options.corner_rad + 0.1, -options.concave_rad - 0.1,
                                          0};
   const CurveFeatures features = FindFeatures(PlotOf(theta_rad), options);
   EXPECT_EQ(features.corners, 1);
   EXPECT_EQ(features.concavities, 1);
+}
+
+TEST(FindFeatures, ADentOfAFewSamplesIsNoConcavity) {
+  DifferenceOfSlopeOptions options;
+  options.concave_width = 4;
+  std::vector<double> theta_rad(60, 0.0);
+  std::fill_n(theta_rad.begin() + 20, 4, -2.0 * options.concave_rad);
+  EXPECT_EQ(FindFeatures(PlotOf(theta_rad), options).concavities, 0);
+  std::fill_n(theta_rad.begin() + 20, 5, -2.0 * options.concave_rad);
+  EXPECT_EQ(FindFeatures(PlotOf(theta_rad), options).concavities, 1);
+}
+
+TEST(FindFeatures, TheZeroRangeGrowsWithTheNoise) {
+  DifferenceOfSlopeOptions options;
+  options.zero_noise_1 = 3.0;
+  options.concave_noise_1 = 3.0;
+  ThetaPlot plot = PlotOf(std::vector<double>(60, 1.5 * options.zero_range_rad));
+  EXPECT_EQ(FindFeatures(plot, options).curves, 1);
+  plot.noise_rad = 0.6 * options.zero_range_rad;
+  EXPECT_EQ(FindFeatures(plot, options).curves, 0);
+  plot.theta_rad.assign(60, -1.5 * options.concave_rad);
+  EXPECT_EQ(FindFeatures(plot, options).concavities, 1);
+  plot.noise_rad = 0.6 * options.concave_rad;
+  EXPECT_EQ(FindFeatures(plot, options).concavities, 0);
+}
+
+// The formula against a straight line with noise.
+TEST(ThetaNoise, IsTheDeviationOfThetaOnANoisyLine) {
+  DifferenceOfSlopeOptions options;
+  constexpr double kNoise_m = 0.0003;
+  double sum = 0.0;
+  int n = 0;
+  Eigen::Vector2d step_m = Eigen::Vector2d::Zero();
+  for (uint64_t seed = 1; seed <= 40; ++seed) {
+    auto line_m = PolylineCurve(0.2, {}, kPlotSamples);
+    step_m = line_m[1] - line_m[0];
+    AddNoise(kNoise_m, seed, &line_m);
+    for (double theta_rad : ComputeThetaPlot(line_m, options).theta_rad) {
+      sum += theta_rad * theta_rad;
+      ++n;
+    }
+  }
+  const double across_m = kNoise_m * std::abs(step_m.x()) / step_m.norm();  // noise is along y
+  EXPECT_NEAR(std::sqrt(sum / n) / ThetaNoise(across_m, 1.0, step_m.norm(), options), 1.0, 0.05);
 }
 
 TEST(FindFeatures, RefusesAZeroRangeAboveTheCornerHeight) {

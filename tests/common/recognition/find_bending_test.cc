@@ -89,6 +89,16 @@ TEST(FindBending, AStraightEdgeInDepthIsNoEvidence) {
   EXPECT_NEAR(Ends(ends).concave_edge_m, 0.0, 1e-12);
 }
 
+TEST(FindBending, TheToleranceGrowsWithTheSpanOfTheStripes) {
+  BendingOptions options;
+  options.concave_edge_m = 0.005;
+  const auto ends = Horizontal({-0.1, -0.09, -0.1}, kStraightRight_m);  // 10 mm in a span of 0.1 m
+  EXPECT_TRUE(FindBending({}, ends, {}, options).concave_edge);
+  options.concave_edge_1 = 0.06;
+  EXPECT_FALSE(FindBending({}, ends, {}, options).concave_edge);
+  EXPECT_NEAR(FindBending({}, ends, {}, options).concave_edge_m, 0.010, 1e-9);
+}
+
 TEST(FindBending, TwoStripesAreNotEnough) {
   auto ends = Horizontal({-0.1, -0.05, -0.1}, kStraightRight_m);
   ends.pop_back();

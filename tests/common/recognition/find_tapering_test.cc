@@ -9,7 +9,7 @@ namespace {
 
 // HorizontalEnds stripes with these left and right ends.
 std::vector<ProfileEnds> HorizontalEnds(const std::array<double, 3>& left_m,
-                                    const std::array<double, 3>& right_m) {
+                                        const std::array<double, 3>& right_m) {
   std::vector<ProfileEnds> ends;
   for (size_t i = 0; i < 3; ++i) {
     ProfileEnds e;
@@ -22,7 +22,8 @@ std::vector<ProfileEnds> HorizontalEnds(const std::array<double, 3>& left_m,
 }
 
 TEST(FindTapering, LengthsThatRiseOrFallMeanTapering) {
-  const auto rising = FindTapering(HorizontalEnds({-0.05, -0.06, -0.07}, {0.05, 0.06, 0.07}), {}, {});
+  const auto rising =
+      FindTapering(HorizontalEnds({-0.05, -0.06, -0.07}, {0.05, 0.06, 0.07}), {}, {});
   EXPECT_TRUE(rising.monotone_horizontal);
   EXPECT_FALSE(rising.asymmetric_ends);
   EXPECT_TRUE(rising.found());
@@ -50,9 +51,24 @@ TEST(FindTapering, EndsThatStepUnequallyMeanTapering) {
 }
 
 TEST(FindTapering, EndsOfASlantedCuboidStepAlike) {
-  const auto tapering = FindTapering(HorizontalEnds({-0.1, -0.13, -0.08}, {0.1, 0.15, 0.12}), {}, {});
+  const auto tapering =
+      FindTapering(HorizontalEnds({-0.1, -0.13, -0.08}, {0.1, 0.15, 0.12}), {}, {});
   EXPECT_NEAR(tapering.asymmetry_m, 0.0, 1e-12);
   EXPECT_FALSE(tapering.asymmetric_ends);
+}
+
+TEST(FindTapering, TolerancesGrowWithTheMeanLength) {
+  TaperingOptions options;
+  const auto ends = HorizontalEnds({-0.05, -0.06, -0.07}, {0.05, 0.06, 0.07});  // mean 0.12 m
+  options.horizontal_length = {0.001, 0.1};
+  EXPECT_TRUE(FindTapering(ends, {}, options).monotone_horizontal);
+  options.horizontal_length.relative_1 = 0.2;
+  EXPECT_FALSE(FindTapering(ends, {}, options).monotone_horizontal);
+  const auto unequal = HorizontalEnds({-0.1, -0.02, -0.02}, {0.1, 0.1, 0.1});
+  options.horizontal_step = {0.01, 0.3};  // 10 + 0.3 * 147 mm
+  EXPECT_TRUE(FindTapering(unequal, {}, options).asymmetric_ends);
+  options.horizontal_step.relative_1 = 0.6;
+  EXPECT_FALSE(FindTapering(unequal, {}, options).asymmetric_ends);
 }
 
 TEST(FindTapering, TwoStripesAreNotEnough) {
@@ -63,7 +79,7 @@ TEST(FindTapering, TwoStripesAreNotEnough) {
 
 TEST(FindTapering, RefusesANegativeTolerance) {
   TaperingOptions options;
-  options.vertical_step_m = -0.001;
+  options.vertical_step.absolute_m = -0.001;
   EXPECT_THROW(options.Validate(), ContractViolation);
 }
 

@@ -42,6 +42,20 @@ TEST(SplitIntoSegments, DropsStrayReflections) {
   EXPECT_EQ(segments[0].pixel.size(), 51U);
 }
 
+TEST(SplitIntoSegments, DropsWhatIsShortBesideTheLongest) {
+  auto profile = Line(0.0, 0.1, 51);
+  for (int k = 0; k < 12; ++k) {  // 22 mm
+    profile.pixel.push_back(80 + k);
+    profile.p_L_m.emplace_back(1.0, 0.2 + 0.002 * k, 0.5);
+  }
+  SegmentOptions options;
+  options.shortest_m = 0.015;
+  options.shortest_share_1 = 0.2;
+  EXPECT_EQ(SplitIntoSegments(profile, options).size(), 2U);
+  options.shortest_share_1 = 0.25;
+  EXPECT_EQ(SplitIntoSegments(profile, options).size(), 1U);
+}
+
 TEST(SplitIntoSegments, NothingGivesNothing) { EXPECT_TRUE(SplitIntoSegments({}, {}).empty()); }
 
 TEST(PlaneCurve, RunsAlongTheStripeAndTowardsTheCamera) {
