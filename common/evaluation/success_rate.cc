@@ -1,0 +1,19 @@
+#include "evaluation/success_rate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geon::evaluation {
+
+Interval WilsonInterval(const SuccessRate& rate) {
+  constexpr double kZ = 1.959963984540054;  // 97.5 % of the normal distribution
+  if (rate.n == 0) return {};
+  const double n = rate.n;
+  const double p = rate.value_1();
+  const double middle = (p + kZ * kZ / (2.0 * n)) / (1.0 + kZ * kZ / n);
+  const double half =
+      kZ / (1.0 + kZ * kZ / n) * std::sqrt(p * (1.0 - p) / n + kZ * kZ / (4.0 * n * n));
+  return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
+}
+
+}  // namespace geon::evaluation

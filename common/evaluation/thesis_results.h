@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "evaluation/shape_experiment.h"
+
+namespace geon::evaluation {
+
+// The order of the columns in tables 6.1-6.7, which is also the order of the tables.
+inline constexpr std::array<GeonLabel, kGeonLabelCount> kThesisColumns = {
+    GeonLabel::kTaperedCuboid, GeonLabel::kTaperedCylinder, GeonLabel::kBentCuboid,
+    GeonLabel::kBentCylinder,  GeonLabel::kCuboid,          GeonLabel::kCylinder,
+    GeonLabel::kEllipsoid};
+
+// What the thesis printed for an object in a position, in percent, by kThesisColumns.
+//
+// Source: thesis tables 6.1-6.7. Object 1, position 2 of the tapered cylinders reads 88 there where
+// its row then sums to 120; 68 is used.
+std::optional<std::array<int, kGeonLabelCount>> ThesisRow(const Subject& subject);
+
+// Figure 6.11: the lowest and the highest error of a viewing cell, in percent.
+inline constexpr int kThesisLowestError = 3;
+inline constexpr int kThesisHighestError = 30;
+
+}  // namespace geon::evaluation

@@ -1,0 +1,20 @@
+#include "evaluation/trial_random.h"
+
+namespace geon::evaluation {
+namespace {
+
+// Finaliser of splitmix64: neighbouring numbers become unrelated ones.
+uint64_t Mix(uint64_t x) {
+  x += 0x9e3779b97f4a7c15ULL;
+  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31U);
+}
+
+}  // namespace
+
+std::mt19937_64 TrialRandom(uint64_t seed, uint64_t t) {
+  return std::mt19937_64(Mix(Mix(seed) + t));
+}
+
+}  // namespace geon::evaluation

@@ -1,0 +1,20 @@
+#include "evaluation/trial_random.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace geon::evaluation {
+namespace {
+
+TEST(TrialRandom, DependsOnSeedAndTrialAlone) {
+  EXPECT_EQ(TrialRandom(5, 17)(), TrialRandom(5, 17)());
+  std::set<uint64_t> first;
+  for (uint64_t seed = 0; seed < 30; ++seed) {
+    for (uint64_t t = 0; t < 30; ++t) first.insert(TrialRandom(seed, t)());
+  }
+  EXPECT_EQ(first.size(), 900U);
+}
+
+}  // namespace
+}  // namespace geon::evaluation
