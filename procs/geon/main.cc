@@ -23,6 +23,8 @@ int main(int argc, char** argv) {
   geon::cli::AddReplayCommand(app, &exit_code);
   geon::cli::AddReportCommand(app, &exit_code);
   geon::cli::AddWorldCommand(app, &exit_code);
+  geon::cli::AddScanCommand(app, &exit_code);
+  geon::cli::AddExperimentCommand(app, &exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

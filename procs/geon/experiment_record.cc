@@ -1,0 +1,190 @@
+#include "procs/geon/experiment_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angles.h"
+#include "config/text_file.h"
+#include "evaluation/shape_tables.h"
+
+namespace geon::cli {
+namespace {
+
+using evaluation::CellRate;
+using evaluation::ConfusionRow;
+using evaluation::ShapeTrial;
+using evaluation::Subject;
+using evaluation::SuccessRate;
+using nlohmann::json;
+
+constexpr const char* kFormat = "geon.experiment.v1";
+
+json ToJson(const SuccessRate& rate) {
+  const evaluation::Interval interval = evaluation::WilsonInterval(rate);
+  return {{"right", rate.right},
+          {"n", rate.n},
+          {"rate", rate.value_1()},
+          {"wilson95", {interval.low_1, interval.high_1}}};
+}
+
+// Cells lie at whole degrees.
+int Degrees(double angle_rad) {
+  return static_cast<int>(std::lround(DegreesFromRadians(angle_rad)));
+}
+
+json ToJson(const CellRate& cell) {
+  json value = ToJson(cell.rate);
+  value["elevation_deg"] = Degrees(cell.cell.elevation_rad);
+  value["azimuth_deg"] = Degrees(cell.cell.azimuth_rad);
+  return value;
+}
+
+json ToJson(const ConfusionRow& row, const json& range_m) {
+  json counts;
+  for (size_t k = 0; k < row.counts.size(); ++k) {
+    counts[std::string(kGeonLabelNames[k])] = row.counts[k];
+  }
+  return {{"truth", ToString(row.subject.truth)},
+          {"object", row.subject.object},
+          {"position", row.subject.position},
+          {"range_m", range_m},
+          {"n", row.n()},
+          {"counts", counts},
+          {"undecided", row.undecided}};
+}
+
+json ToJson(const ShapeTrial& trial, const Subject& subject) {
+  return {{"t", trial.t},
+          {"subject", trial.subject},
+          {"truth", ToString(subject.truth)},
+          {"object", subject.object},
+          {"position", subject.position},
+          {"elevation_deg", Degrees(trial.cell.elevation_rad)},
+          {"azimuth_deg", Degrees(trial.cell.azimuth_rad)},
+          {"answer", ToString(trial.answer)},
+          {"confidence", trial.confidence},
+          {"decided", trial.decided}};
+}
+
+json Rates(const ShapeRecord& record) {
+  const std::vector<ConfusionRow> rows = evaluation::CountAnswers(record.subjects, record.trials);
+  json rates = {{"all", ToJson(evaluation::OverallRate(rows))},
+                {"mean_of_cells", evaluation::MeanOfRows(rows)}};
+  const auto classes = evaluation::RatesByClass(rows);
+  for (size_t k = 0; k < classes.size(); ++k) {
+    if (classes[k].n > 0) rates["classes"][std::string(kGeonLabelNames[k])] = ToJson(classes[k]);
+  }
+  rates["views"] = json::array();
+  for (const CellRate& cell : evaluation::RatesByCell(record.subjects, record.trials)) {
+    rates["views"].push_back(ToJson(cell));
+  }
+  return rates;
+}
+
+ShapeTrial ParseTrial(const json& value) {
+  ShapeTrial trial;
+  trial.t = value.at("t");
+  trial.subject = value.at("subject");
+  trial.cell.elevation_rad = RadiansFromDegrees(value.at("elevation_deg").get<int>());
+  trial.cell.azimuth_rad = RadiansFromDegrees(value.at("azimuth_deg").get<int>());
+  trial.answer = GeonLabelFromString(value.at("answer").get<std::string>()).value();
+  trial.confidence = value.at("confidence");
+  trial.decided = value.at("decided");
+  return trial;
+}
+
+}  // namespace
+
+std::string RecordText(const ShapeRecord& record) {
+  json cells = json::array(), trials = json::array(), subjects = json::array();
+  const json& range_m = record.conditions.at("range_m");
+  for (const ConfusionRow& row : evaluation::CountAnswers(record.subjects, record.trials)) {
+    cells.push_back(ToJson(row, range_m));
+  }
+  for (const Subject& subject : record.subjects) {
+    subjects.push_back({{"truth", ToString(subject.truth)},
+                        {"object", subject.object},
+                        {"position", subject.position}});
+  }
+  for (const ShapeTrial& trial : record.trials) {
+    trials.push_back(ToJson(trial, record.subjects[static_cast<size_t>(trial.subject)]));
+  }
+  return json{{"format", kFormat},      {"experiment", "shapes"}, {"method", record.method},
+              {"seed", record.seed},    {"git", record.git},      {"conditions", record.conditions},
+              {"subjects", subjects},   {"cells", cells},         {"trials", trials},
+              {"rates", Rates(record)}, {"seconds", nullptr}}
+             .dump() +
+         "\n";
+}
+
+Result<ShapeRecord> LoadRecord(const std::filesystem::path& file) {
+  const Result<std::string> text = config::ReadFile(file, size_t{1} << 30U);
+  if (!text.ok()) return text.status();
+  try {
+    const json value = json::parse(*text);
+    if (value.at("format") != kFormat || value.at("experiment") != "shapes") {
+      return Status::Error(file.string() + ": not the results of geon experiment shapes");
+    }
+    ShapeRecord record;
+    record.method = value.at("method");
+    record.seed = value.at("seed");
+    record.git = value.at("git");
+    record.conditions = value.at("conditions");
+    for (const json& subject : value.at("subjects")) {
+      record.subjects.push_back(
+          {GeonLabelFromString(subject.at("truth").get<std::string>()).value(),
+           subject.at("object"), subject.at("position")});
+    }
+    for (const json& trial : value.at("trials")) {
+      record.trials.push_back(ParseTrial(trial));
+      if (record.trials.back().subject < 0 ||
+          static_cast<size_t>(record.trials.back().subject) >= record.subjects.size()) {
+        return Status::Error(file.string() + ": a trial of a subject that is not there");
+      }
+    }
+    return record;
+  } catch (const std::exception& error) {
+    return Status::Error(file.string() + ": damaged results: " + error.what());
+  }
+}
+
+Result<ShapeRecord> MergeRecords(const std::vector<ShapeRecord>& shards) {
+  if (shards.empty()) return Status::Error("nothing to merge");
+  ShapeRecord all = shards.front();
+  for (size_t k = 1; k < shards.size(); ++k) {
+    const ShapeRecord& shard = shards[k];
+    if (shard.method != all.method || shard.seed != all.seed || shard.git != all.git ||
+        shard.conditions != all.conditions || shard.subjects.size() != all.subjects.size()) {
+      return Status::Error("shard " + std::to_string(k + 1) +
+                           " is of another experiment (method, seed, build or conditions differ)");
+    }
+    all.trials.insert(all.trials.end(), shard.trials.begin(), shard.trials.end());
+  }
+  std::sort(all.trials.begin(), all.trials.end(),
+            [](const ShapeTrial& a, const ShapeTrial& b) { return a.t < b.t; });
+  for (size_t i = 1; i < all.trials.size(); ++i) {
+    if (all.trials[i].t == all.trials[i - 1].t) {
+      return Status::Error("trial " + std::to_string(all.trials[i].t) + " is in two shards");
+    }
+  }
+  return all;
+}
+
+Status WriteRecord(const ShapeRecord& record, double seconds,
+                   const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) return Status::Error(directory.string() + ": " + error.message());
+  const Status written =
+      config::WriteFileAtomically(directory / "results.json", RecordText(record));
+  if (!written.ok()) return written;
+  return config::WriteFileAtomically(directory / "timing.json",
+                                     json{{"seconds", seconds}}.dump() + "\n");
+}
+
+std::string RecordTables(const ShapeRecord& record) {
+  return evaluation::ShapeTables(evaluation::CountAnswers(record.subjects, record.trials),
+                                 evaluation::RatesByCell(record.subjects, record.trials));
+}
+
+}  // namespace geon::cli

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/status.h"
+#include "evaluation/confusion.h"
+
+namespace geon::cli {
+
+// Everything an experiment over the viewing sphere found: what results.json holds.
+struct ShapeRecord {
+  std::string method;
+  uint64_t seed = 1;
+  std::string git;
+  // What was asked for (range, noise, stress, ...): shards of one experiment agree in it.
+  nlohmann::json conditions;
+  std::vector<evaluation::Subject> subjects;
+  std::vector<evaluation::ShapeTrial> trials;  // by rising t
+};
+
+// Contract geon.experiment.v1. The same trials give the same bytes however they were spread over
+// jobs and shards; therefore "seconds" is null, and the time goes to timing.json beside it.
+std::string RecordText(const ShapeRecord& record);
+
+Result<ShapeRecord> LoadRecord(const std::filesystem::path& file);
+
+// The trials of all shards together. Errors: other conditions, method, seed or build, or a trial
+// that two of them have.
+Result<ShapeRecord> MergeRecords(const std::vector<ShapeRecord>& shards);
+
+// Writes DIRECTORY/results.json and timing.json, making the directory.
+Status WriteRecord(const ShapeRecord& record, double seconds,
+                   const std::filesystem::path& directory);
+
+// The tables of an experiment as people read them.
+std::string RecordTables(const ShapeRecord& record);
+
+}  // namespace geon::cli
