@@ -7,13 +7,13 @@
 namespace geon::cli {
 namespace {
 
-struct Arguments {
+struct MergeArguments {
   std::vector<std::filesystem::path> shards;
   std::filesystem::path output;
   bool json = false;
 };
 
-int Merge(const Arguments& arguments) {
+int Merge(const MergeArguments& arguments) {
   std::vector<ShapeRecord> shards;
   for (const std::filesystem::path& directory : arguments.shards) {
     Result<ShapeRecord> shard = LoadRecord(directory / "results.json");
@@ -34,7 +34,7 @@ int Merge(const Arguments& arguments) {
 }  // namespace
 
 void AddExperimentMergeCommand(CLI::App& experiment, int* exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<MergeArguments>();
   CLI::App* command =
       experiment.add_subcommand("merge", "Joins the shards of one experiment, in any order.");
   command->add_option("DIR", arguments->shards, "folders that hold a results.json")

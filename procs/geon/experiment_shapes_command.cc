@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMeshSize_m = 0.2;
 
-struct Arguments {
+struct ShapesArguments {
   RecognitionArguments recognition;
   std::filesystem::path objects, meshes, output;
   evaluation::Family family = evaluation::Family::kSuperquadric;
@@ -47,13 +47,13 @@ std::string CheckShard(const std::string& text) {
   return good ? "" : "must be i/n, i from 1 to n";
 }
 
-Result<std::vector<ShownObject>> LoadObjects(const Arguments& arguments) {
+Result<std::vector<ShownObject>> LoadObjects(const ShapesArguments& arguments) {
   if (!arguments.meshes.empty()) return LoadShownMeshes(arguments.meshes, kMeshSize_m);
   if (!arguments.objects.empty()) return LoadShownObjects(arguments.objects, arguments.family);
   return ThesisShownObjects(arguments.family);
 }
 
-nlohmann::json Conditions(const Arguments& arguments) {
+nlohmann::json Conditions(const ShapesArguments& arguments) {
   const bool polygon = arguments.family == evaluation::Family::kPolygon;
   const nlohmann::json curvature = arguments.recognition.curvature.empty()
                                        ? nlohmann::json()
@@ -74,7 +74,7 @@ nlohmann::json Conditions(const Arguments& arguments) {
           {"smoothing", smoothing}};
 }
 
-int RunShapes(const Arguments& arguments) {
+int RunShapes(const ShapesArguments& arguments) {
   Result<std::vector<ShownObject>> objects = LoadObjects(arguments);
   if (!objects.ok()) {
     std::cerr << "geon experiment shapes: " << objects.message() << '\n';
@@ -127,7 +127,7 @@ int Deliver(const ShapeRecord& record, double seconds, bool json,
 }
 
 void AddExperimentShapesCommand(CLI::App& experiment, int* exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ShapesArguments>();
   CLI::App* command = experiment.add_subcommand(
       "shapes", "Tables 6.1-6.7 and figure 6.11: the viewing sphere round the 28 objects.");
   AddRecognitionArguments(*command, &arguments->recognition);

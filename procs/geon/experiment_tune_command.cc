@@ -13,7 +13,7 @@
 namespace geon::cli {
 namespace {
 
-struct Arguments {
+struct TuneArguments {
   RecognitionArguments recognition;
   evaluation::ThresholdSearchOptions search;
   int scans = 1200, held_out = 4000;
@@ -36,7 +36,7 @@ std::string Percent(const evaluation::SuccessRate& rate) {
   return text;
 }
 
-int Tune(const Arguments& arguments) {
+int Tune(const TuneArguments& arguments) {
   const recognition::RecognitionOptions start = ToOptions(arguments.recognition);
   // Seeds 2 s and 2 s + 1: what one seed tunes on, no seed tests on.
   const uint64_t training_seed = 2 * arguments.search.seed;
@@ -77,7 +77,7 @@ int Tune(const Arguments& arguments) {
 }  // namespace
 
 void AddExperimentTuneCommand(CLI::App& experiment, int* exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TuneArguments>();
   CLI::App* command =
       experiment.add_subcommand("tune",
                                 "Searches the thresholds that the thesis leaves open on scans of "

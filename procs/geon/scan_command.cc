@@ -14,7 +14,7 @@
 namespace geon::cli {
 namespace {
 
-struct Arguments {
+struct ScanArguments {
   std::filesystem::path world, mesh, output;
   double height_m = 0.2, range_m = 1.0, azimuth_deg = 0.0, elevation_deg = 30.0, noise_px = 0.1;
   uint64_t seed = 1;
@@ -40,7 +40,7 @@ Result<Target> TargetOfWorld(const std::filesystem::path& file) {
   return Status::Error(file.string() + ": this world has no geon and no mesh to scan");
 }
 
-Result<Target> LoadTarget(const Arguments& arguments) {
+Result<Target> LoadTarget(const ScanArguments& arguments) {
   if (!arguments.world.empty()) return TargetOfWorld(arguments.world);
   Result<geons::TriangleMesh> mesh = sim::LoadObj(arguments.mesh);
   if (!mesh.ok()) return mesh.status();
@@ -50,7 +50,7 @@ Result<Target> LoadTarget(const Arguments& arguments) {
   return Target{std::move(*mesh), std::nullopt};
 }
 
-int Scan(const Arguments& arguments) {
+int Scan(const ScanArguments& arguments) {
   Result<Target> target = LoadTarget(arguments);
   Status status = target.status();
   if (target.ok()) {
@@ -76,7 +76,7 @@ int Scan(const Arguments& arguments) {
 }  // namespace
 
 void AddScanCommand(CLI::App& app, int* exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ScanArguments>();
   CLI::App* command =
       app.add_subcommand("scan", "Makes a scan set: what six stripes measure of an object.");
   CLI::Option_group* what = command->add_option_group("what");

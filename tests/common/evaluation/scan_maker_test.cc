@@ -11,7 +11,7 @@
 namespace geon::evaluation {
 namespace {
 
-ObjectTracer Box() {
+ObjectTracer BoxOnFloor() {
   return ObjectTracer(geons::PolygonGeon({GeonLabel::kCuboid, {0.16, 0.16, 0.16}}, 48));
 }
 
@@ -24,7 +24,7 @@ ViewOptions FrontView() {
 
 sensor::ScanSet Scan(const ViewOptions& view, const FaultOptions& faults, uint64_t seed = 1) {
   std::mt19937_64 random(seed);
-  return MakeScan(Box(), view, faults, {}, random);
+  return MakeScan(BoxOnFloor(), view, faults, {}, random);
 }
 
 FaultOptions NoFaults() {

@@ -10,7 +10,7 @@
 namespace geon::geons {
 namespace {
 
-GeonShape Example(GeonLabel label, int position) {
+GeonShape ExampleMesh(GeonLabel label, int position) {
   GeonShape shape{label, {0.16, 0.12, 0.24}, 0.0, 0.0, position};
   if (IsTapered(label)) shape.taper_1 = 0.4;
   if (IsBent(label)) {
@@ -24,7 +24,7 @@ TEST(GeonMeshTest, EveryGeonInEveryPositionIsClosedAndStandsOnTheGround) {
   for (int label = 0; label < kGeonLabelCount; ++label) {
     for (int position = 1; position <= StablePositionCount(static_cast<GeonLabel>(label));
          ++position) {
-      const GeonShape shape = Example(static_cast<GeonLabel>(label), position);
+      const GeonShape shape = ExampleMesh(static_cast<GeonLabel>(label), position);
       SCOPED_TRACE(std::string(ToString(shape.label)) + " " + std::to_string(position));
       const TriangleMesh mesh = GeonMesh(shape);
       EXPECT_TRUE(IsClosed(mesh));
@@ -38,27 +38,28 @@ TEST(GeonMeshTest, EveryGeonInEveryPositionIsClosedAndStandsOnTheGround) {
 
 TEST(GeonMeshTest, VolumesAreThoseOfTheIdealBodies) {
   const double box_m3 = 0.16 * 0.12 * 0.24;
-  EXPECT_NEAR(Volume(GeonMesh(Example(GeonLabel::kCuboid, 1))), box_m3, 0.01 * box_m3);
-  EXPECT_NEAR(Volume(GeonMesh(Example(GeonLabel::kCylinder, 1))), kPi / 4 * box_m3, 0.01 * box_m3);
-  EXPECT_NEAR(Volume(GeonMesh(Example(GeonLabel::kEllipsoid, 1))), kPi / 6 * box_m3,
+  EXPECT_NEAR(Volume(GeonMesh(ExampleMesh(GeonLabel::kCuboid, 1))), box_m3, 0.01 * box_m3);
+  EXPECT_NEAR(Volume(GeonMesh(ExampleMesh(GeonLabel::kCylinder, 1))), kPi / 4 * box_m3,
+              0.01 * box_m3);
+  EXPECT_NEAR(Volume(GeonMesh(ExampleMesh(GeonLabel::kEllipsoid, 1))), kPi / 6 * box_m3,
               0.005 * box_m3);
   // Frustum: the mean of 1, q and q^2, with q the ratio of the ends.
   const double q = 0.6 / 1.4;
   const double frustum = (1 + q + q * q) / 3;
-  EXPECT_NEAR(Volume(GeonMesh(Example(GeonLabel::kTaperedCuboid, 2))), frustum * box_m3,
+  EXPECT_NEAR(Volume(GeonMesh(ExampleMesh(GeonLabel::kTaperedCuboid, 2))), frustum * box_m3,
               0.01 * box_m3);
-  EXPECT_NEAR(Volume(GeonMesh(Example(GeonLabel::kTaperedCylinder, 3))), kPi / 4 * frustum * box_m3,
-              0.01 * box_m3);
+  EXPECT_NEAR(Volume(GeonMesh(ExampleMesh(GeonLabel::kTaperedCylinder, 3))),
+              kPi / 4 * frustum * box_m3, 0.01 * box_m3);
   const double bar_m3 = 0.08 * 0.08 * 0.30;
-  EXPECT_NEAR(Volume(GeonMesh(Example(GeonLabel::kBentCuboid, 1))), bar_m3, 0.01 * bar_m3);
-  EXPECT_NEAR(Volume(GeonMesh(Example(GeonLabel::kBentCylinder, 2))), kPi / 4 * bar_m3,
+  EXPECT_NEAR(Volume(GeonMesh(ExampleMesh(GeonLabel::kBentCuboid, 1))), bar_m3, 0.01 * bar_m3);
+  EXPECT_NEAR(Volume(GeonMesh(ExampleMesh(GeonLabel::kBentCylinder, 2))), kPi / 4 * bar_m3,
               0.01 * bar_m3);
 }
 
 TEST(GeonMeshTest, SizesAreKeptInTheUprightPosition) {
   for (GeonLabel label : {GeonLabel::kCuboid, GeonLabel::kCylinder, GeonLabel::kEllipsoid,
                           GeonLabel::kTaperedCuboid, GeonLabel::kTaperedCylinder}) {
-    const Eigen::Vector3d sizes_m = Bounds(GeonMesh(Example(label, 1))).sizes();
+    const Eigen::Vector3d sizes_m = Bounds(GeonMesh(ExampleMesh(label, 1))).sizes();
     EXPECT_NEAR((sizes_m - Eigen::Vector3d(0.16, 0.12, 0.24)).cwiseAbs().maxCoeff(), 0.0, 1.5e-3);
   }
 }
@@ -75,14 +76,14 @@ double WidthAt(const TriangleMesh& mesh, double z_m) {
 }
 
 TEST(GeonMeshTest, TaperedGeonStandsOnItsLargeEndAndInvertedOnItsSmallOne) {
-  const TriangleMesh upright = GeonMesh(Example(GeonLabel::kTaperedCylinder, 1));
+  const TriangleMesh upright = GeonMesh(ExampleMesh(GeonLabel::kTaperedCylinder, 1));
   EXPECT_NEAR(WidthAt(upright, 0.004) / WidthAt(upright, 0.236), 1.4 / 0.6, 0.1);
-  const TriangleMesh inverted = GeonMesh(Example(GeonLabel::kTaperedCylinder, 3));
+  const TriangleMesh inverted = GeonMesh(ExampleMesh(GeonLabel::kTaperedCylinder, 3));
   EXPECT_NEAR(WidthAt(inverted, 0.004) / WidthAt(inverted, 0.236), 0.6 / 1.4, 0.05);
 }
 
 TEST(GeonMeshTest, LyingTaperedCuboidRestsOnAWholeFlank) {
-  const TriangleMesh mesh = GeonMesh(Example(GeonLabel::kTaperedCuboid, 2));
+  const TriangleMesh mesh = GeonMesh(ExampleMesh(GeonLabel::kTaperedCuboid, 2));
   Eigen::AlignedBox3d foot;
   for (const Eigen::Vector3d& p : mesh.vertices_m) {
     if (p.z() < 1e-3) foot.extend(p);
@@ -94,10 +95,10 @@ TEST(GeonMeshTest, LyingTaperedCuboidRestsOnAWholeFlank) {
 
 TEST(GeonMeshTest, BentCuboidLiesArchesOrCups) {
   const double radius_m = 0.30 / RadiansFromDegrees(120);
-  EXPECT_NEAR(Bounds(GeonMesh(Example(GeonLabel::kBentCuboid, 1))).sizes().z(), 0.08, 1e-3);
+  EXPECT_NEAR(Bounds(GeonMesh(ExampleMesh(GeonLabel::kBentCuboid, 1))).sizes().z(), 0.08, 1e-3);
   // "n": the middle of the arch is above, its feet below; "u" is the same upside down.
-  const TriangleMesh arch = GeonMesh(Example(GeonLabel::kBentCuboid, 2));
-  const TriangleMesh cup = GeonMesh(Example(GeonLabel::kBentCuboid, 3));
+  const TriangleMesh arch = GeonMesh(ExampleMesh(GeonLabel::kBentCuboid, 2));
+  const TriangleMesh cup = GeonMesh(ExampleMesh(GeonLabel::kBentCuboid, 3));
   const double height_m = Bounds(arch).sizes().z();
   EXPECT_NEAR(height_m, (radius_m + 0.04) - (radius_m - 0.04) * 0.5, 2e-3);
   EXPECT_NEAR(Bounds(cup).sizes().z(), height_m, 1e-9);
@@ -106,7 +107,7 @@ TEST(GeonMeshTest, BentCuboidLiesArchesOrCups) {
 }
 
 TEST(GeonMeshTest, ImpossibleShapeIsAContractViolation) {
-  GeonShape shape = Example(GeonLabel::kCuboid, 1);
+  GeonShape shape = ExampleMesh(GeonLabel::kCuboid, 1);
   shape.position = 4;
   EXPECT_THROW(GeonMesh(shape), ContractViolation);
 }
