@@ -82,7 +82,7 @@ void NomadDriver::StartOver(double time_s, const std::string& why) {
   set_up_ = false;
   report_.text = why;
   report_.status = failures_ >= kNomadFailuresUntilFault ? sensor::DeviceStatus::kFault
-                                                    : sensor::DeviceStatus::kStarting;
+                                                         : sensor::DeviceStatus::kStarting;
 }
 
 void NomadDriver::Fail(double time_s, const std::string& what) {
@@ -96,7 +96,8 @@ void NomadDriver::Fail(double time_s, const std::string& what) {
     report_.text = what;
     return;
   }
-  StartOver(time_s, failures_ < kNomadFailuresUntilFault ? what : what + " (38400 baud, switched on?)");
+  StartOver(time_s,
+            failures_ < kNomadFailuresUntilFault ? what : what + " (38400 baud, switched on?)");
 }
 
 std::string NomadDriver::Step(double time_s, std::string_view bytes_in) {

@@ -11,7 +11,7 @@ namespace geon::device {
 namespace {
 
 constexpr double kLongestPtuNoise_s = 2.0;  // a line that is never quiet is used after this
-constexpr double kUnendedLine_s = 0.3;   // silence that ends the answer to R without a line end
+constexpr double kUnendedLine_s = 0.3;      // silence that ends the answer to R without a line end
 constexpr int kPtuFailuresUntilFault = 5;
 constexpr int kStallsUntilReset = 2;
 constexpr int kLargestCount = 100'000;  // a turn is 7000 counts at the usual resolution

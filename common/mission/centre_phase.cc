@@ -9,8 +9,8 @@ namespace geon::mission {
 
 namespace {
 
-constexpr double kFaced_rad = 0.35;        // beyond this the robot turns to the target first
-constexpr double kNearEnough_m = 0.08;     // beyond the stopping distance
+constexpr double kFaced_rad = 0.35;            // beyond this the robot turns to the target first
+constexpr double kNearEnough_m = 0.08;         // beyond the stopping distance
 constexpr double kLookPatienceFactor_1 = 3.0;  // of image_s: head still and a picture taken
 
 }  // namespace

@@ -36,8 +36,9 @@ struct BaseState {
   int64_t command_id = 0;  // of the newest command accepted
 };
 
-// Desired velocities. Re-sent at 20 Hz; expires 0.15 s after arrival, and is refused when the BaseState
-// it answers (`state_seq`) is older than 0.3 s by the base's own clock: no shared clock is needed.
+// Desired velocities. Re-sent at 20 Hz; expires 0.15 s after arrival, and is refused when the
+// BaseState it answers (`state_seq`) is older than 0.3 s by the base's own clock: no shared clock
+// is needed.
 struct BaseCommand {
   int64_t utime = 0;
   int32_t seq = 0;

@@ -87,7 +87,7 @@ std::vector<uint8_t> ImageSensor::Expose(std::span<const float> signal, uint64_t
       const float clean = std::max(0.0F, std::min(1.0F, light[k]));
       const float sigma = std::sqrt(clean * shot_noise2_1_ + read_noise2_1_);
       const float noisy = light[k] + black_level_1_ + sigma * noise[k];
-      step[k] = static_cast<int32_t>(std::max(0.0F, std::min(1.0F, noisy)) * kTop + 0.5F);
+      step[k] = static_cast<int32_t>(std::max(0.5F, std::min(kTop + 0.5F, noisy * kTop + 0.5F)));
     }
     for (size_t k = 0; k < count; ++k) pixels[start + k] = value_[static_cast<size_t>(step[k])];
   }

@@ -11,11 +11,11 @@
 namespace geon::base {
 
 struct DriveGuardOptions {
-  // A command is obeyed so long after its arrival. Braking from 0.4 m/s takes another 0.27 s: a robot
-  // whose planner died stands within 0.5 s.
+  // A command is obeyed so long after its arrival. Braking from 0.4 m/s takes another 0.27 s: a
+  // robot whose planner died stands within 0.5 s.
   double command_lifetime_s = 0.15;
-  double state_lifetime_s = 0.3;    // and taken only in answer to a state published so recently
-  double release_s = 0.1;           // a bumper counts as free after so long without contact
+  double state_lifetime_s = 0.3;  // and taken only in answer to a state published so recently
+  double release_s = 0.1;         // a bumper counts as free after so long without contact
   double speed_limit_m_s = 0.5;
   double turn_rate_limit_rad_s = 1.0471975511965976;  // 60 degrees/s
 };

@@ -61,7 +61,8 @@ int Report(const ReportArguments& arguments) {
   }
   const auto run = ReadRun(arguments.log);
   if (!run.ok()) return FailedToReport(run.status());
-  if (run->events == 0) return FailedToReport(Status::Error(arguments.log + ": holds no whole message"));
+  if (run->events == 0)
+    return FailedToReport(Status::Error(arguments.log + ": holds no whole message"));
   const Status written =
       config::WriteFileAtomically(arguments.output, ReportPage(*run, *rig, truth));
   if (!written.ok()) return FailedToReport(written);

@@ -14,9 +14,9 @@
 namespace geon::planner {
 
 // Runs one mission: tells it what robot and recognizer say, steps it 20 times a second, and sends
-// what it wishes. BASE_COMMAND goes out with every step and names the newest BASE_STATE; PLANNER_STATE at
-// 5 Hz and with every change of phase. After the end the final state is kept on the bus; a
-// restarted planner starts a new mission from the search.
+// what it wishes. BASE_COMMAND goes out with every step and names the newest BASE_STATE;
+// PLANNER_STATE at 5 Hz and with every change of phase. After the end the final state is kept on
+// the bus; a restarted planner starts a new mission from the search.
 class PlannerNode {
  public:
   // `done` is called once, some PLANNER_STATEs after the mission ended.

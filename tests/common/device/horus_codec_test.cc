@@ -30,12 +30,13 @@ TEST(HorusCodecTest, SortsWhatTheBoardSays) {
   HorusReader reader;
   const auto lines =
       HorusLines(&reader,
-            "\r\nHorus 0.2 ['$' for help]\r\nok\r\nerror: Unsupported command\r\n"
-            "ALARM: x\r\n[Caution]\r\n<Idle,MPos:0.000>\r\nHorus 0.1\r\nok?\r\n\xff\n");
+                 "\r\nHorus 0.2 ['$' for help]\r\nok\r\nerror: Unsupported command\r\n"
+                 "ALARM: x\r\n[Caution]\r\n<Idle,MPos:0.000>\r\nHorus 0.1\r\nok?\r\n\xff\n");
   ASSERT_EQ(lines.size(), 9u);
-  const std::vector<HorusKind> kinds = {HorusKind::kBanner,        HorusKind::kOk,      HorusKind::kError,
-                                   HorusKind::kError,         HorusKind::kNote,    HorusKind::kNote,
-                                   HorusKind::kForeignBanner, HorusKind::kUnknown, HorusKind::kUnknown};
+  const std::vector<HorusKind> kinds = {
+      HorusKind::kBanner,        HorusKind::kOk,      HorusKind::kError,
+      HorusKind::kError,         HorusKind::kNote,    HorusKind::kNote,
+      HorusKind::kForeignBanner, HorusKind::kUnknown, HorusKind::kUnknown};
   for (size_t i = 0; i < kinds.size(); ++i) EXPECT_EQ(lines[i].kind, kinds[i]) << lines[i].text;
 }
 

@@ -27,12 +27,12 @@ TEST(PtuCodecTest, CommandsAreLettersNumberAndADelimiter) {
 TEST(PtuCodecTest, SortsTerseVerboseEchoedAndRefusedAnswers) {
   PtuReader reader;
   const auto lines = PtuLines(&reader,
-                           "* 123\r\n"
-                           "PP * Current Pan position is 0\r\n"
-                           "! Maximum allowable Pan position is 3090\r\n"
-                           "\r\n\r\n*\r\n"
-                           "### PAN-TILT CONTROLLER ***\r\n"
-                           "what\r\n");
+                              "* 123\r\n"
+                              "PP * Current Pan position is 0\r\n"
+                              "! Maximum allowable Pan position is 3090\r\n"
+                              "\r\n\r\n*\r\n"
+                              "### PAN-TILT CONTROLLER ***\r\n"
+                              "what\r\n");
   ASSERT_EQ(lines.size(), 6u);
   EXPECT_EQ(lines[0].kind, PtuKind::kDone);
   EXPECT_EQ(lines[0].text, "123");

@@ -28,14 +28,16 @@ class PolylineFit : public testing::TestWithParam<Vertices> {
 };
 
 TEST_P(PolylineFit, ALineIsOnePiece) {
-  EXPECT_EQ(Fit(PolylineCurve(0.2, {}, kPolylineSamples)), (std::vector<int>{0, kPolylineSamples - 1}));
+  EXPECT_EQ(Fit(PolylineCurve(0.2, {}, kPolylineSamples)),
+            (std::vector<int>{0, kPolylineSamples - 1}));
 }
 
 TEST_P(PolylineFit, PutsAVertexAtACorner) {
   const auto vertices = Fit(PolylineCurve(0.1, {1.2}, kPolylineSamples));
   ASSERT_GE(vertices.size(), 3U);
-  const bool near_corner = std::any_of(vertices.begin(), vertices.end(),
-                                       [](int v) { return std::abs(v - kPolylineSamples / 2) <= 4; });
+  const bool near_corner = std::any_of(vertices.begin(), vertices.end(), [](int v) {
+    return std::abs(v - kPolylineSamples / 2) <= 4;
+  });
   EXPECT_TRUE(near_corner);
 }
 
