@@ -104,7 +104,7 @@ ProfileEvidence DescribeProfile(const TargetProfile& target, const sensor::ScanS
   double offset_m = 0.0;
   for (const std::vector<Eigen::Vector2d>& curve_m : curves_m) {
     const double length_m = ArcLength(curve_m);
-    const int samples = static_cast<int>(options.samples * length_m / total_m + 0.5);
+    const int samples = static_cast<int>(std::lround(options.samples * length_m / total_m));
     if (samples >= 2) {
       DescribeSegment(curve_m, target.noise_m, samples, offset_m, options, &evidence);
     }
