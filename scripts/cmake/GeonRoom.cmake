@@ -12,12 +12,6 @@ target_link_libraries(geon_precompiled_test PRIVATE geon_compiler Eigen3::Eigen 
 target_precompile_headers(geon_precompiled_test PRIVATE ${geon_common_headers} <gtest/gtest.h>
   <gmock/gmock.h>)
 
-# With sanitizers the tests themselves are not optimised (their rooms are): half the time to build them.
-if(GEON_SANITIZE)
-  set(geon_test_options -O0)
-  target_compile_options(geon_precompiled_test PRIVATE -O0)
-endif()
-
 # Two groups to build: what runs, and the unit tests.
 add_custom_target(programs)
 add_custom_target(unit_tests)
@@ -56,7 +50,6 @@ function(geon_unit_tests NAME DIRECTORY)
   target_compile_definitions(test_${NAME} PRIVATE GEON_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   target_link_libraries(test_${NAME} PRIVATE ${ARGN} geon_compiler GTest::gtest GTest::gmock
     GTest::gtest_main)
-  target_compile_options(test_${NAME} PRIVATE ${geon_test_options})
   add_dependencies(unit_tests test_${NAME})
   if(GEON_SANITIZE)
     add_test(NAME sanitized_${NAME} COMMAND test_${NAME})
