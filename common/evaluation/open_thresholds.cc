@@ -68,8 +68,6 @@ std::vector<Threshold> OpenThresholds(CurvatureMethod curvature) {
   if (curvature == CurvatureMethod::kOGorman) {
     add(Real("zero_range_rad", 0.005, 0.25,
              [](O& o) -> double& { return o.difference_of_slope.zero_range_rad; }));
-    add(Real("zero_noise_1", 0.0, 4.0,
-             [](O& o) -> double& { return o.difference_of_slope.zero_noise_1; }));
     add(Integer("curve_width", 8, 80,
                 [](O& o) -> int& { return o.difference_of_slope.curve_width; }));
     add(Real("corner_rad", 0.3, 2.5,

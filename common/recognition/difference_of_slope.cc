@@ -60,8 +60,8 @@ void DifferenceOfSlopeOptions::Validate() const {
           "concave_rad is " + std::to_string(concave_rad) + ", must be positive");
   Require(concave_width >= 0,
           "concave_width is " + std::to_string(concave_width) + ", must not be negative");
-  Require(zero_noise_1 >= 0.0 && concave_noise_1 >= 0.0,
-          "zero_noise_1 and concave_noise_1 must not be negative");
+  Require(concave_noise_1 >= 0.0,
+          "concave_noise_1 is " + std::to_string(concave_noise_1) + ", must not be negative");
 }
 
 ThetaPlot ComputeThetaPlot(std::span<const Eigen::Vector2d> curve_m,
@@ -90,8 +90,6 @@ double ThetaNoise(double noise_m, double points_per_sample_1, double step_m,
 CurveFeatures FindFeatures(const ThetaPlot& plot, const DifferenceOfSlopeOptions& options) {
   CurveFeatures features;
   const std::vector<double>& theta = plot.theta_rad;
-  const double zero_range_rad =
-      std::max(options.zero_range_rad, options.zero_noise_1 * plot.noise_rad);
   const double concave_rad =
       std::max(options.concave_rad, options.concave_noise_1 * plot.noise_rad);
   size_t i = 0;
@@ -99,7 +97,7 @@ CurveFeatures FindFeatures(const ThetaPlot& plot, const DifferenceOfSlopeOptions
     const double sign = theta[i] < 0.0 ? -1.0 : 1.0;
     const size_t begin = i;
     double peak_rad = 0.0;
-    while (i < theta.size() && sign * theta[i] > zero_range_rad) {
+    while (i < theta.size() && sign * theta[i] > options.zero_range_rad) {
       peak_rad = std::max(peak_rad, sign * theta[i]);
       ++i;
     }

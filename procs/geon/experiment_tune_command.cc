@@ -16,6 +16,7 @@ namespace {
 struct TuneArguments {
   RecognitionArguments recognition;
   evaluation::ThresholdSearchOptions search;
+  std::vector<std::string> settings;  // NAME=VALUE
   int scans = 1200, held_out = 4000;
   bool json = false;
 };
@@ -28,6 +29,21 @@ std::vector<sensor::ScanSet> MakeScans(uint64_t seed, int count) {
   return scans;
 }
 
+// Sets one threshold as in "samples=90"; false when there is no such threshold or no number.
+bool SetThreshold(const std::string& setting, recognition::RecognitionOptions* options) {
+  const size_t sign = setting.find('=');
+  double value = 0.0;
+  if (sign == std::string::npos || !CLI::detail::lexical_cast(setting.substr(sign + 1), value)) {
+    return false;
+  }
+  for (const evaluation::Threshold& threshold : evaluation::OpenThresholds(options->curvature)) {
+    if (threshold.name != setting.substr(0, sign)) continue;
+    threshold.set(options, value);
+    return true;
+  }
+  return false;
+}
+
 std::string Percent(const evaluation::SuccessRate& rate) {
   const evaluation::Interval interval = evaluation::WilsonInterval(rate);
   char text[80];
@@ -37,7 +53,13 @@ std::string Percent(const evaluation::SuccessRate& rate) {
 }
 
 int Tune(const TuneArguments& arguments) {
-  const recognition::RecognitionOptions start = ToOptions(arguments.recognition);
+  const recognition::RecognitionOptions defaults = ToOptions(arguments.recognition);
+  recognition::RecognitionOptions start = defaults;
+  for (const std::string& setting : arguments.settings) {
+    if (SetThreshold(setting, &start)) continue;
+    std::cerr << "geon experiment tune: no threshold or no number in '" << setting << "'\n";
+    return kUsage;
+  }
   // Seeds 2 s and 2 s + 1: what one seed tunes on, no seed tests on.
   const uint64_t training_seed = 2 * arguments.search.seed;
   evaluation::ThresholdSearchResult found{start, {}};
@@ -50,13 +72,13 @@ int Tune(const TuneArguments& arguments) {
         });
   }
   const std::vector<sensor::ScanSet> held_out = MakeScans(training_seed + 1, arguments.held_out);
-  const evaluation::SuccessRate before = evaluation::RecognitionRate(held_out, start);
+  const evaluation::SuccessRate before = evaluation::RecognitionRate(held_out, defaults);
   const evaluation::SuccessRate after = evaluation::RecognitionRate(held_out, found.options);
   nlohmann::json thresholds;
   for (const evaluation::Threshold& threshold : evaluation::OpenThresholds(start.curvature)) {
-    thresholds[threshold.name] = {threshold.get(start), threshold.get(found.options)};
+    thresholds[threshold.name] = {threshold.get(defaults), threshold.get(found.options)};
     if (arguments.json) continue;
-    std::printf("%-20s %8.4g -> %8.4g\n", threshold.name.c_str(), threshold.get(start),
+    std::printf("%-20s %8.4g -> %8.4g\n", threshold.name.c_str(), threshold.get(defaults),
                 threshold.get(found.options));
   }
   if (arguments.json) {
@@ -98,6 +120,8 @@ void AddExperimentTuneCommand(CLI::App& experiment, int* exit_code) {
   command->add_option("--steps", arguments->search.steps, "from the best towards a better one")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
+  command->add_option("--set", arguments->settings,
+                      "NAME=VALUE: start from this; with --draws 0 --steps 0 its effect is told");
   command->add_flag("--json", arguments->json, "print one JSON object");
   command->callback([arguments, exit_code] { *exit_code = Tune(*arguments); });
 }

@@ -126,15 +126,10 @@ TEST(FindFeatures, ADentOfAFewSamplesIsNoConcavity) {
   EXPECT_EQ(FindFeatures(PlotOf(theta_rad), options).concavities, 1);
 }
 
-TEST(FindFeatures, TheZeroRangeGrowsWithTheNoise) {
+TEST(FindFeatures, AConcavityMustStandOutOfTheNoise) {
   DifferenceOfSlopeOptions options;
-  options.zero_noise_1 = 3.0;
   options.concave_noise_1 = 3.0;
-  ThetaPlot plot = PlotOf(std::vector<double>(60, 1.5 * options.zero_range_rad));
-  EXPECT_EQ(FindFeatures(plot, options).curves, 1);
-  plot.noise_rad = 0.6 * options.zero_range_rad;
-  EXPECT_EQ(FindFeatures(plot, options).curves, 0);
-  plot.theta_rad.assign(60, -1.5 * options.concave_rad);
+  ThetaPlot plot = PlotOf(std::vector<double>(60, -1.5 * options.concave_rad));
   EXPECT_EQ(FindFeatures(plot, options).concavities, 1);
   plot.noise_rad = 0.6 * options.concave_rad;
   EXPECT_EQ(FindFeatures(plot, options).concavities, 0);
