@@ -21,7 +21,8 @@ struct RecognizeArguments {
 };
 
 // One file; false when it cannot be read.
-bool Recognize(const std::string& file, const recognition::RecognitionOptions& options, bool json) {
+bool Recognize(const std::string& file, const recognition::RecognitionOptions& options,
+               bool as_json) {
   const Result<sensor::ScanSet> scan = config::LoadScanSet(file);
   if (!scan.ok()) {
     std::cerr << "geon recognize: " << scan.message() << "\n";
@@ -32,7 +33,7 @@ bool Recognize(const std::string& file, const recognition::RecognitionOptions& o
   const auto microseconds = std::chrono::duration_cast<std::chrono::microseconds>(
                                 std::chrono::steady_clock::now() - begin)
                                 .count();
-  if (json) {
+  if (as_json) {
     std::cout << config::SerializeVerdict(verdict, file, microseconds) << std::endl;
   } else {
     std::cout << file << ": " << VerdictText(verdict);

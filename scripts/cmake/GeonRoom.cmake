@@ -11,6 +11,12 @@ target_link_libraries(geon_precompiled_test PRIVATE geon_compiler Eigen3::Eigen 
   GTest::gmock)
 target_precompile_headers(geon_precompiled_test PRIVATE ${geon_common_headers} <gtest/gtest.h>
   <gmock/gmock.h>)
+set(geon_test_options "")
+if(GEON_SANITIZE MATCHES "address")
+  # GoogleTest's macros are full of temporaries: watching their scopes costs a quarter of the tests' build time.
+  set(geon_test_options -fno-sanitize-address-use-after-scope)
+endif()
+target_compile_options(geon_precompiled_test PRIVATE ${geon_test_options})
 
 # Two groups to build: what runs, and the unit tests.
 add_custom_target(programs)
@@ -47,6 +53,7 @@ function(geon_unit_tests NAME DIRECTORY)
   add_executable(test_${NAME} ${tests})
   target_include_directories(test_${NAME} PRIVATE ${CMAKE_SOURCE_DIR})
   target_precompile_headers(test_${NAME} REUSE_FROM geon_precompiled_test)
+  target_compile_options(test_${NAME} PRIVATE ${geon_test_options})
   target_compile_definitions(test_${NAME} PRIVATE GEON_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   target_link_libraries(test_${NAME} PRIVATE ${ARGN} geon_compiler GTest::gtest GTest::gmock
     GTest::gtest_main)

@@ -46,10 +46,10 @@ class Truth:
                 lit[event["laser"]] = event["on"]
         return any(lit.values())
 
-    def await_moment(self, moment, timeout_s):
-        """Waits until the robot moves ("motion") or a laser burns ("scan")."""
+    def await_moment(self, moment, ended, timeout_s):
+        """Waits until the robot moves ("motion") or a laser burns ("scan"); False where ended() comes first."""
         end = time.monotonic() + timeout_s
-        while time.monotonic() < end:
+        while time.monotonic() < end and not ended():
             self.update()
             if self.moves() if moment == "motion" else self.burns():
                 return True
