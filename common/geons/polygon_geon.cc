@@ -106,4 +106,27 @@ TriangleMesh PolygonGeon(const GeonShape& shape, int sides) {
   return WithFaceNormals(mesh, kCrease_rad);
 }
 
+TriangleMesh PolygonVessel(const GeonShape& shape, double wall_1, int sides) {
+  const Status valid = Validate(shape);
+  Require(valid.ok(), "PolygonVessel: " + valid.message());
+  Require(!IsBent(shape.label) && shape.label != GeonLabel::kEllipsoid,
+          "PolygonVessel: only a cuboid or cylinder, tapered or not, can be a vessel");
+  Require(wall_1 > 0.0 && wall_1 < 1.0, "PolygonVessel: wall_1 must be within 0 and 1");
+  const std::vector<Eigen::Vector2d> section = UnitSection(shape.label, sides);
+  const bool wide_top = IsTapered(shape.label) && shape.position == 3;
+  const auto ring = [&](double height_1, double inner_1, double lift_1) {
+    Ring points = RingAt(shape, section, wide_top ? -height_1 : height_1);
+    for (Eigen::Vector3d& p_m : points) {
+      p_m.head<2>() *= inner_1;
+      p_m.z() = (height_1 + lift_1) * shape.size_m.z();
+    }
+    return points;
+  };
+  const double floor_1 = 0.5 * wall_1 * shape.size_m.x() / shape.size_m.z();
+  TriangleMesh mesh = Loft({ring(-0.5, 1.0, 0.0), ring(0.5, 1.0, 0.0), ring(0.5, 1.0 - wall_1, 0.0),
+                            ring(-0.5, 1.0 - wall_1, floor_1)});
+  StandOnGround(&mesh);
+  return WithFaceNormals(mesh, kCrease_rad);
+}
+
 }  // namespace geon::geons

@@ -16,4 +16,9 @@ namespace geon::geons {
 // not radius, is that of the circle.
 TriangleMesh PolygonGeon(const GeonShape& shape, int sides);
 
+// A cup, bowl or tub: the same of a cuboid or cylinder, tapered or not, that stands and is open at
+// the top, with walls of `wall_1` of its half width. Position 3 of a tapered one is open at its
+// larger end, all others at their smaller.
+TriangleMesh PolygonVessel(const GeonShape& shape, double wall_1, int sides);
+
 }  // namespace geon::geons

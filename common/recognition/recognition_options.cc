@@ -6,6 +6,16 @@
 
 namespace geon::recognition {
 
+std::optional<Method> MethodFromString(std::string_view name) {
+  if (name == "thesis") return Method::kThesis;
+  if (name == "evidence") return Method::kEvidence;
+  return std::nullopt;
+}
+
+std::string_view ToString(Method method) {
+  return method == Method::kThesis ? "thesis" : "evidence";
+}
+
 std::optional<CurvatureMethod> CurvatureMethodFromString(std::string_view name) {
   if (name == "ogorman") return CurvatureMethod::kOGorman;
   if (name == "ramer") return CurvatureMethod::kRamer;

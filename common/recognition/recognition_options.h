@@ -23,8 +23,14 @@ enum class CurvatureMethod { kOGorman, kRamer, kWall };
 std::optional<CurvatureMethod> CurvatureMethodFromString(std::string_view name);
 std::optional<Smoothing> SmoothingFromString(std::string_view name);
 
+// Who decides: the decision tree of section 5.6, or a forest that weighs the evidence.
+enum class Method { kThesis, kEvidence };
+std::optional<Method> MethodFromString(std::string_view name);
+std::string_view ToString(Method method);
+
 // Everything that can be set about recognition.
 struct RecognitionOptions {
+  Method method = Method::kEvidence;
   SmoothingOptions smoothing;
   BackgroundOptions background;
   SegmentOptions segments;

@@ -6,6 +6,9 @@
 
 #include "base/contracts.h"
 #include "recognition/decide_geon.h"
+#include "recognition/explain_evidence.h"
+#include "recognition/geon_forest.h"
+#include "recognition/measure_evidence.h"
 #include "recognition/profile_noise.h"
 
 namespace geon::recognition {
@@ -122,6 +125,20 @@ bool BothDirectionsSeen(const std::vector<ProfileEvidence>& profiles) {
   return seen(Laser::kHorizontal) && seen(Laser::kVertical);
 }
 
+// Replaces the tree's answer by the forest's.
+void WeighEvidence(const sensor::ScanSet& scan, const RecognitionOptions& options,
+                   sensor::GeonVerdict* verdict) {
+  const GeonForest& forest = TrainedForest();
+  const EvidenceList evidence = MeasureScan(scan, options);
+  verdict->method = "evidence";
+  verdict->posterior = PosteriorOfVotes(CountVotes(forest, evidence.values()), forest.sharpness_1);
+  const auto most = std::max_element(verdict->posterior.begin(), verdict->posterior.end());
+  verdict->label = static_cast<GeonLabel>(most - verdict->posterior.begin());
+  verdict->confidence = *most;
+  verdict->decided = verdict->decided && *most >= forest.decided_1;
+  verdict->reasons = ExplainEvidence(*verdict);
+}
+
 }  // namespace
 
 sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const RecognitionOptions& options) {
@@ -163,7 +180,15 @@ sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const Recognition
   // 6. The decision tree.
   DecideGeon(&verdict);
   verdict.decided = BothDirectionsSeen(verdict.profiles);
+  // ... or the weighing of the same evidence.
+  if (options.method == Method::kEvidence) WeighEvidence(scan, options, &verdict);
   return verdict;
+}
+
+EvidenceList MeasureScan(const sensor::ScanSet& scan, const RecognitionOptions& options,
+                         bool with_names) {
+  return MeasureEvidence(FindTargetStripes(scan, options.background, options.segments),
+                         scan.camera_position_L_m, scan.rotation_LB, with_names);
 }
 
 }  // namespace geon::recognition

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "recognition/evidence_list.h"
 #include "recognition/recognition_options.h"
 #include "sensor/geon_verdict.h"
 #include "sensor/scan_set.h"
@@ -17,8 +18,18 @@ namespace geon::recognition {
 // Deterministic: the same scan set and options give the same verdict bit for bit. The scan's
 // `truth` is never looked at; utime, seq are left 0 and scan_id is the scan's. Outcomes: `decided`
 // is false when less than one horizontal or vertical profile shows the target; the label is then
-// the best guess of the tree on what is there and its confidence that of a guess. Throws
+// the best guess on what is there and its confidence that of a guess. Throws
 // ContractViolation when options are invalid or a profile's pixel and point counts differ.
+//
+// Method `evidence` looks at the same profiles but decides otherwise: what thesis stages 3 to 5
+// turn into YES and NO stays a number (measure_evidence.h), and a forest trained on random shapes
+// (geon_forest.h, `geon train`) weighs the numbers. Its posterior is calibrated and `decided` says
+// whether it is high enough to be relied on. Bending, tapering and the profiles' features are
+// reported beside it, as the thesis finds them.
 sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const RecognitionOptions& options);
+
+// What method `evidence` measures on a scan, before it is weighed.
+EvidenceList MeasureScan(const sensor::ScanSet& scan, const RecognitionOptions& options = {},
+                         bool with_names = false);
 
 }  // namespace geon::recognition

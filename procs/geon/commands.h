@@ -23,6 +23,7 @@ void AddReplayCommand(CLI::App& app, int* exit_code);
 void AddReportCommand(CLI::App& app, int* exit_code);
 void AddWorldCommand(CLI::App& app, int* exit_code);
 void AddScanCommand(CLI::App& app, int* exit_code);
+void AddTrainCommand(CLI::App& app, int* exit_code);
 void AddExperimentCommand(CLI::App& app, int* exit_code);
 
 }  // namespace geon::cli

@@ -95,7 +95,8 @@ int RunShapes(const ShapesArguments& arguments) {
   ReadPair(arguments.shard, '/', &shard.index, &shard.count);
 
   ShapeRecord record;
-  record.method = arguments.recognition.method.empty() ? "thesis" : arguments.recognition.method;
+  const recognition::RecognitionOptions options = ToOptions(arguments.recognition);
+  record.method = recognition::ToString(options.method);
   record.seed = arguments.seed;
   record.git = config::BuildVersion();
   record.conditions = Conditions(arguments);
@@ -103,7 +104,6 @@ int RunShapes(const ShapesArguments& arguments) {
     if (stress.scale_1 != 1.0) Scale(stress.scale_1, &object.mesh);
     record.subjects.push_back(object.subject);
   }
-  const recognition::RecognitionOptions options = ToOptions(arguments.recognition);
   record.trials = RunShapeTrials(
       *objects, evaluation::ViewingSphere(low_deg, high_deg), conditions,
       [&options](const sensor::ScanSet& scan) { return recognition::RecognizeGeon(scan, options); },

@@ -53,7 +53,8 @@ std::string Percent(const evaluation::SuccessRate& rate) {
 }
 
 int Tune(const TuneArguments& arguments) {
-  const recognition::RecognitionOptions defaults = ToOptions(arguments.recognition);
+  recognition::RecognitionOptions defaults = ToOptions(arguments.recognition);
+  defaults.method = recognition::Method::kThesis;  // the forest has no thresholds
   recognition::RecognitionOptions start = defaults;
   for (const std::string& setting : arguments.settings) {
     if (SetThreshold(setting, &start)) continue;

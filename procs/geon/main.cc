@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   geon::cli::AddReportCommand(app, &exit_code);
   geon::cli::AddWorldCommand(app, &exit_code);
   geon::cli::AddScanCommand(app, &exit_code);
+  geon::cli::AddTrainCommand(app, &exit_code);
   geon::cli::AddExperimentCommand(app, &exit_code);
   try {
     app.parse(argc, argv);

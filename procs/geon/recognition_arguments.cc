@@ -4,9 +4,11 @@ namespace geon::cli {
 
 void AddRecognitionArguments(CLI::App& command, RecognitionArguments* arguments) {
   command
-      .add_option("--method", arguments->method,
-                  "thesis: evidence and decision tree of chapter 5 (the default)")
-      ->check(CLI::IsMember({"thesis"}));
+      .add_option(
+          "--method", arguments->method,
+          "evidence: weighed by a trained forest (the default); thesis: the decision tree of "
+          "chapter 5")
+      ->check(CLI::IsMember({"thesis", "evidence"}));
   command
       .add_option("--curvature", arguments->curvature,
                   "corners and curves by O'Gorman's, Ramer's or Wall's method (section 5.3)")
@@ -17,6 +19,7 @@ void AddRecognitionArguments(CLI::App& command, RecognitionArguments* arguments)
 
 recognition::RecognitionOptions ToOptions(const RecognitionArguments& arguments,
                                           recognition::RecognitionOptions base) {
+  if (const auto method = recognition::MethodFromString(arguments.method)) base.method = *method;
   if (const auto curvature = recognition::CurvatureMethodFromString(arguments.curvature)) {
     base.curvature = *curvature;
   }

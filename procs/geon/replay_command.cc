@@ -56,6 +56,15 @@ std::vector<std::string> Warnings(const ReplayedLog& log, const std::string& cal
   return warnings;
 }
 
+// The method of the recorded verdicts: that of the last, where there is any.
+std::optional<recognition::Method> RecordedMethod(const ReplayedLog& log) {
+  std::optional<recognition::Method> method;
+  for (const auto& [id, scan] : log.scans) {
+    if (scan.recorded) method = recognition::MethodFromString(scan.recorded->method);
+  }
+  return method;
+}
+
 std::string Comparison(const ReplayedScan& scan, bool changed) {
   if (scan.identical) return "identical to the recorded verdict, evidence included";
   if (scan.recorded && scan.replayed) {
@@ -124,8 +133,17 @@ int Replay(const ReplayArguments& arguments) {
   }
   config->assembler.recognition = ToOptions(arguments.recognition, config->assembler.recognition);
   Progress progress;
-  const Result<ReplayedLog> log = ReplayLog(arguments.log, *config, *calibration,
-                                            [&progress](double done) { progress.Say(done); });
+  const auto read = [&] {
+    return ReplayLog(arguments.log, *config, *calibration,
+                     [&progress](double done) { progress.Say(done); });
+  };
+  Result<ReplayedLog> log = read();
+  const auto recorded = log.ok() ? RecordedMethod(*log) : std::nullopt;
+  if (arguments.recognition.method.empty() && recorded &&
+      *recorded != config->assembler.recognition.method) {
+    config->assembler.recognition.method = *recorded;
+    log = read();
+  }
   if (!log.ok()) {
     std::cerr << "geon replay: " << log.message() << "\n";
     return kFailed;

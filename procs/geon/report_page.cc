@@ -51,8 +51,7 @@ std::string Headline(const RunRecord& run, const std::optional<GeonLabel>& truth
             "</span> It really is " + WithArticle(*truth) + ". ";
   }
   return html + "Confidence " + Fixed(100.0 * verdict.confidence, 0) + " %, by the method “" +
-         Escape(verdict.method) + "”" +
-         (verdict.decided ? "" : "; too few profiles for more than a guess") + ".</p>";
+         Escape(verdict.method) + "”" + (verdict.decided ? "" : "; no more than a guess") + ".</p>";
 }
 
 std::string Fact(const std::string& value, const std::string& name) {

@@ -14,7 +14,7 @@ std::string PlainName(GeonLabel label) {
 std::string VerdictText(const sensor::GeonVerdict& verdict) {
   std::string text = PlainName(verdict.label) + " (confidence " +
                      std::to_string(std::lround(100.0 * verdict.confidence)) + " %" +
-                     (verdict.decided ? "" : ", a guess: not enough profiles") + ")\n";
+                     (verdict.decided ? "" : ", no more than a guess") + ")\n";
   for (const std::string& reason : verdict.reasons) text += "  " + reason + "\n";
   return text;
 }

@@ -37,6 +37,11 @@ void ReadRecognizerSection(config::YamlSection section, RecognizerConfig* config
   config->calibration_dir = calibration_dir;
 
   std::string name;
+  section.Read("method", &name);
+  const auto method = recognition::MethodFromString(name);
+  section.Check(method.has_value(), "method", "must be evidence or thesis");
+  if (method) config->assembler.recognition.method = *method;
+
   section.Read("curvature", &name);
   const auto curvature = recognition::CurvatureMethodFromString(name);
   section.Check(curvature.has_value(), "curvature", "must be ogorman, ramer or wall");

@@ -9,7 +9,7 @@ target_compile_options(geon_compiler INTERFACE
   -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 reports uninitialised reads inside Eigen and libstdc++ that are not there.
-  target_compile_options(geon_compiler INTERFACE -Wno-maybe-uninitialized -Wno-stringop-overflow
+  target_compile_options(geon_compiler INTERFACE -Wno-maybe-uninitialized -Wno-stringop-overflow -Wno-stringop-overread
     -Wno-array-bounds -Wno-restrict)
 endif()
 if(GEON_SANITIZE)

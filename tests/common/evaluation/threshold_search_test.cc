@@ -16,6 +16,7 @@ std::vector<sensor::ScanSet> Scans(uint64_t seed, uint64_t count) {
 // Thresholds with which everything is bent.
 recognition::RecognitionOptions BadOptions() {
   recognition::RecognitionOptions options;
+  options.method = recognition::Method::kThesis;
   options.bending.concave_edge_m = 1e-6;
   options.difference_of_slope.curve_width = 60;
   return options;

@@ -57,5 +57,23 @@ TEST(PolygonGeon, ImpossibleShapesAreContractViolations) {
   EXPECT_THROW(PolygonGeon(Example(GeonLabel::kCylinder, 1), 5), ContractViolation);
 }
 
+TEST(PolygonVessel, IsHollow) {
+  GeonShape cup{GeonLabel::kTaperedCylinder, {0.1, 0.1, 0.12}, 0.2};
+  for (int position : {1, 3}) {
+    cup.position = position;
+    const TriangleMesh vessel = PolygonVessel(cup, 0.1, 48);
+    EXPECT_GT(Volume(vessel), 0.0);
+    EXPECT_LT(Volume(vessel), 0.4 * Volume(PolygonGeon(cup, 48)));
+    EXPECT_NEAR(Bounds(vessel).sizes().z(), 0.12, 1e-12);
+  }
+}
+
+TEST(PolygonVessel, RefusesWhatCannotBeOpen) {
+  const GeonShape ball{GeonLabel::kEllipsoid, {0.1, 0.1, 0.1}};
+  EXPECT_THROW(PolygonVessel(ball, 0.1, 48), ContractViolation);
+  const GeonShape box{GeonLabel::kCuboid, {0.1, 0.1, 0.1}};
+  EXPECT_THROW(PolygonVessel(box, 1.0, 48), ContractViolation);
+}
+
 }  // namespace
 }  // namespace geon::geons

@@ -22,6 +22,9 @@ TEST(RecognitionOptions, CheckTheirParts) {
 }
 
 TEST(RecognitionOptions, KnowTheNamesPeopleWrite) {
+  EXPECT_EQ(MethodFromString("thesis"), Method::kThesis);
+  EXPECT_EQ(MethodFromString("evidence"), Method::kEvidence);
+  EXPECT_FALSE(MethodFromString("magic").has_value());
   EXPECT_EQ(CurvatureMethodFromString("ogorman"), CurvatureMethod::kOGorman);
   EXPECT_EQ(CurvatureMethodFromString("ramer"), CurvatureMethod::kRamer);
   EXPECT_EQ(CurvatureMethodFromString("wall"), CurvatureMethod::kWall);

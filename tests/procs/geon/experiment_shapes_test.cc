@@ -18,7 +18,7 @@ std::vector<ShownObject> TwoObjects() {
 
 ShapeRecord Record(Shard shard, int jobs) {
   ShapeRecord record;
-  record.method = "thesis";
+  record.method = "evidence";
   record.git = "test";
   record.conditions = {{"range_m", 1.0}};
   const std::vector<ShownObject> objects = TwoObjects();

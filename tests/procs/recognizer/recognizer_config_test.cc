@@ -19,11 +19,13 @@ Status Read(const std::string& yaml, RecognizerConfig* config) {
 TEST(RecognizerConfig, ReadsItsSection) {
   RecognizerConfig config;
   const Status status = Read(
-      "recognizer:\n  calibration_dir: cal\n  curvature: ramer\n  smoothing: gaussian\n"
+      "recognizer:\n  calibration_dir: cal\n  method: thesis\n  curvature: ramer\n  smoothing: "
+      "gaussian\n"
       "  fewest_points: 20\n",
       &config);
   ASSERT_TRUE(status.ok()) << status.message();
   EXPECT_EQ(config.calibration_dir, "cal");
+  EXPECT_EQ(config.assembler.recognition.method, recognition::Method::kThesis);
   EXPECT_EQ(config.assembler.recognition.curvature, recognition::CurvatureMethod::kRamer);
   EXPECT_EQ(config.assembler.recognition.smoothing.kind, recognition::Smoothing::kGaussian);
   EXPECT_EQ(config.assembler.fewest_points, 20);
@@ -32,10 +34,11 @@ TEST(RecognizerConfig, ReadsItsSection) {
 TEST(RecognizerConfig, RefusesUnknownNamesWithTheirLine) {
   RecognizerConfig config;
   const Status status = Read(
-      "recognizer:\n  calibration_dir: cal\n  curvature: roemer\n  smoothing: median\n"
+      "recognizer:\n  calibration_dir: cal\n  method: evidence\n  curvature: roemer\n  smoothing: "
+      "median\n"
       "  fewest_points: 20\n",
       &config);
-  EXPECT_THAT(status.message(), HasSubstr("robot.yaml:3"));
+  EXPECT_THAT(status.message(), HasSubstr("robot.yaml:4"));
   EXPECT_THAT(status.message(), HasSubstr("ogorman, ramer or wall"));
 }
 

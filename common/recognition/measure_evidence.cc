@@ -1,0 +1,81 @@
+#include "recognition/measure_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "recognition/outline_evidence.h"
+#include "recognition/stripe_evidence.h"
+#include "recognition/surface_evidence.h"
+
+namespace geon::recognition {
+namespace {
+
+constexpr double kSmallestScale_m = 0.01;
+
+double Length(const TargetStripe& stripe) {
+  return stripe.empty() ? 0.0 : (stripe.p_L_m.back() - stripe.p_L_m.front()).norm();
+}
+
+// Mean length of the stripes that are there.
+double Scale(const std::vector<TargetStripe>& stripes) {
+  double sum_m = 0.0, count = 0.0;
+  for (const TargetStripe& stripe : stripes) {
+    if (stripe.empty()) continue;
+    sum_m += Length(stripe);
+    count += 1.0;
+  }
+  return std::max(kSmallestScale_m, count > 0.0 ? sum_m / count : 0.0);
+}
+
+void AddViewEvidence(const std::vector<TargetStripe>& stripes, const Eigen::Vector3d& p_LB_m,
+                     const Eigen::Matrix3d& R_LB, double scale_m, EvidenceList* evidence) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double lowest_m = kInfinity, highest_m = -kInfinity, nearest_m = kInfinity, farthest_m = 0.0;
+  double noise_m = 0.0, seen = 0.0, segments = 0.0;
+  for (const TargetStripe& stripe : stripes) {
+    for (const Eigen::Vector3d& p_L : stripe.p_L_m) {
+      const double depth_m = R_LB.col(2).dot(p_L - p_LB_m);
+      nearest_m = std::min(nearest_m, depth_m);
+      farthest_m = std::max(farthest_m, depth_m);
+      lowest_m = std::min(lowest_m, p_L.z());
+      highest_m = std::max(highest_m, p_L.z());
+    }
+    if (stripe.empty()) continue;
+    seen += 1.0;
+    noise_m += stripe.noise_m;
+    segments = std::max(segments, static_cast<double>(stripe.segment_begins.size()));
+  }
+  const bool any = seen > 0.0;
+  evidence->Add("scale_m", scale_m);
+  evidence->Add("seen", seen);
+  evidence->Add("segments", segments);
+  evidence->Add("noise", any ? noise_m / seen / scale_m : 0.0);
+  evidence->Add("distance_m", any ? nearest_m : 0.0);
+  evidence->Add("depth", any ? (farthest_m - nearest_m) / scale_m : 0.0);
+  evidence->Add("height", any ? (highest_m - lowest_m) / scale_m : 0.0);
+  evidence->Add("elevation", std::asin(std::clamp(-R_LB(2, 2), -1.0, 1.0)));
+}
+
+}  // namespace
+
+EvidenceList MeasureEvidence(const std::vector<TargetStripe>& stripes,
+                             const Eigen::Vector3d& p_LB_m, const Eigen::Matrix3d& R_LB,
+                             bool with_names) {
+  static const char* const kGroups[] = {"horizontal_1", "horizontal_2", "horizontal_3",
+                                        "vertical_1",   "vertical_2",   "vertical_3"};
+  EvidenceList evidence(with_names);
+  const double scale_m = Scale(stripes);
+  for (size_t k = 0; k < stripes.size(); ++k) {
+    evidence.BeginGroup(kGroups[k]);
+    AddStripeEvidence(stripes[k], scale_m, &evidence);
+  }
+  AddOutlineEvidence(stripes, p_LB_m, R_LB, scale_m, &evidence);
+  evidence.BeginGroup("surface");
+  AddSurfaceEvidence(stripes, p_LB_m, R_LB, scale_m, &evidence);
+  evidence.BeginGroup("view");
+  AddViewEvidence(stripes, p_LB_m, R_LB, scale_m, &evidence);
+  return evidence;
+}
+
+}  // namespace geon::recognition

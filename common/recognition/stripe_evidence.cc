@@ -1,0 +1,212 @@
+#include "recognition/stripe_evidence.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "recognition/difference_of_slope.h"
+
+namespace geon::recognition {
+namespace {
+
+constexpr int kFineSamples = 110;
+constexpr int kCoarseSamples = 60;
+constexpr std::array<double, 7> kQuantiles = {0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0};
+constexpr std::array<const char*, 7> kQuantileNames = {"min", "10", "25", "50", "75", "90", "max"};
+
+using Curve = std::vector<Eigen::Vector2d>;
+
+// The segments of a stripe, resampled to about `samples` points in all.
+std::vector<Curve> Resample(const TargetStripe& stripe, int samples) {
+  std::vector<Curve> pieces;
+  double total_m = 0.0;
+  for (size_t s = 0; s < stripe.segment_begins.size(); ++s) {
+    pieces.emplace_back(
+        stripe.curve_m.begin() + static_cast<std::ptrdiff_t>(stripe.segment_begins[s]),
+        stripe.curve_m.begin() + static_cast<std::ptrdiff_t>(stripe.SegmentEnd(s)));
+    total_m += ArcLength(pieces.back());
+  }
+  for (Curve& piece : pieces) {
+    const auto own = static_cast<int>(std::lround(samples * ArcLength(piece) / total_m));
+    piece = ResampleEqualArc(piece, std::max(own, 2));
+  }
+  return pieces;
+}
+
+double Quantile(const std::vector<double>& sorted, double share_1) {
+  if (sorted.empty()) return 0.0;
+  const double place = share_1 * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<size_t>(place);
+  const size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+void AddQuantiles(const std::string& name, std::vector<double> values, EvidenceList* evidence) {
+  std::sort(values.begin(), values.end());
+  for (size_t q = 0; q < kQuantiles.size(); ++q) {
+    evidence->Add(name + kQuantileNames[q], Quantile(values, kQuantiles[q]));
+  }
+}
+
+// How the stripe turns: quantiles of theta, its place of most turning, how much it turns in all.
+void AddTurning(const std::string& name, const std::vector<Curve>& pieces, EvidenceList* evidence) {
+  std::vector<double> theta_rad;
+  double sum_rad = 0.0, magnitude_rad = 0.0;
+  for (const Curve& piece : pieces) {
+    const ThetaPlot plot = ComputeThetaPlot(piece, DifferenceOfSlopeOptions());
+    theta_rad.insert(theta_rad.end(), plot.theta_rad.begin(), plot.theta_rad.end());
+  }
+  for (double theta : theta_rad) {
+    sum_rad += theta;
+    magnitude_rad += std::abs(theta);
+  }
+  const auto most = std::max_element(theta_rad.begin(), theta_rad.end());
+  const double count = std::max(1.0, static_cast<double>(theta_rad.size()));
+  evidence->Add(name + "place", static_cast<double>(most - theta_rad.begin()) / count);
+  evidence->Add(name + "mean", sum_rad / count);
+  evidence->Add(name + "one_sided", magnitude_rad > 0.0 ? std::abs(sum_rad) / magnitude_rad : 0.0);
+  AddQuantiles(name, std::move(theta_rad), evidence);
+}
+
+// Sums of a run of points, for fitting lines to all runs in one pass.
+struct Moments {
+  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+  Moments operator-(const Moments& other) const {
+    return {n - other.n, x - other.x, y - other.y, xx - other.xx, xy - other.xy, yy - other.yy};
+  }
+  void Add(const Eigen::Vector2d& p) {
+    n += 1.0;
+    x += p.x();
+    y += p.y();
+    xx += p.x() * p.x();
+    xy += p.x() * p.y();
+    yy += p.y() * p.y();
+  }
+  // Sum of squared distances from the best line (the scatter's smaller eigenvalue).
+  double LineResidual() const {
+    const double a = xx - x * x / n, b = xy - x * y / n, c = yy - y * y / n;
+    return std::max(0.0, 0.5 * (a + c - std::hypot(a - c, 2.0 * b)));
+  }
+};
+
+// How far the points lie from a line, from two lines, from a circle: rms over the stripe's length.
+void AddFits(const Curve& points, double length_m, double scale_m, EvidenceList* evidence) {
+  std::vector<Moments> until(1);
+  for (const Eigen::Vector2d& p : points) {
+    until.push_back(until.back());
+    until.back().Add(p - points.front());
+  }
+  const double n = static_cast<double>(points.size());
+  const auto relative = [&](double squares) { return std::sqrt(squares / n) / length_m; };
+  double two_lines = until.back().LineResidual();
+  size_t corner = points.size() / 2;
+  for (size_t k = 4; k + 4 < until.size(); ++k) {
+    const double both = until[k].LineResidual() + (until.back() - until[k]).LineResidual();
+    if (both < two_lines) {
+      two_lines = both;
+      corner = k;
+    }
+  }
+  // Circle x^2 + y^2 + a x + b y + c = 0 about the mean, by least squares (Kasa).
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& p : points) mean += p / n;
+  Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d b = Eigen::Vector2d::Zero();
+  double square = 0.0;
+  for (const Eigen::Vector2d& p : points) square += (p - mean).squaredNorm() / n;
+  for (const Eigen::Vector2d& p : points) {
+    const Eigen::Vector2d d = p - mean;
+    A += d * d.transpose();
+    b += 0.5 * d * (d.squaredNorm() - square);
+  }
+  A.diagonal().array() += 1e-9 * A.trace() + 1e-15;
+  const Eigen::Vector2d centre = A.ldlt().solve(b);
+  const double radius_m = std::sqrt(centre.squaredNorm() + square);
+  double circle = 0.0;
+  for (const Eigen::Vector2d& p : points) {
+    circle += std::pow((p - mean - centre).norm() - radius_m, 2);
+  }
+  const double line = relative(until.back().LineResidual());
+  evidence->Add("line", line);
+  evidence->Add("two_lines", relative(two_lines));
+  evidence->Add("circle", relative(circle));
+  evidence->Add("circle_to_lines", relative(circle) / (relative(two_lines) + 1e-3));
+  evidence->Add("corner_place", static_cast<double>(corner) / n);
+  const double side = centre.y() < 0.0 ? 1.0 : -1.0;  // convex: the centre lies behind
+  evidence->Add("curvature", side * scale_m / radius_m);
+}
+
+// How far the stripe rises above and falls below its chord, and where.
+void AddSagitta(const Curve& points, double length_m, EvidenceList* evidence) {
+  const Eigen::Vector2d chord = points.back() - points.front();
+  const Eigen::Vector2d normal = Eigen::Vector2d(-chord.y(), chord.x()).normalized();
+  double highest_m = 0.0, lowest_m = 0.0;
+  size_t place = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const double height_m = normal.dot(points[i] - points.front());
+    lowest_m = std::min(lowest_m, height_m);
+    if (height_m > highest_m) {
+      highest_m = height_m;
+      place = i;
+    }
+  }
+  evidence->Add("rise", highest_m / length_m);
+  evidence->Add("fall", lowest_m / length_m);
+  evidence->Add("rise_place", static_cast<double>(place) / static_cast<double>(points.size()));
+  evidence->Add("chord_slope", std::atan2(chord.y(), std::abs(chord.x())));
+}
+
+// Where the stripe leads in the level frame: how steeply, and at which azimuth.
+void AddDirections(const TargetStripe& stripe, EvidenceList* evidence) {
+  std::vector<double> slopes_rad, azimuths_rad;
+  const size_t step = std::max<size_t>(stripe.p_L_m.size() / 12, 1);
+  for (size_t i = 0; i + 2 * step <= stripe.p_L_m.size(); i += step) {
+    Eigen::Vector3d before = Eigen::Vector3d::Zero(), after = before;
+    for (size_t k = 0; k < step; ++k) {
+      before += stripe.p_L_m[i + k];
+      after += stripe.p_L_m[i + step + k];
+    }
+    const Eigen::Vector3d d = after - before;
+    slopes_rad.push_back(std::atan2(d.z(), d.head<2>().norm()));
+    azimuths_rad.push_back(std::atan2(d.x(), std::abs(d.y()) + 1e-9));
+  }
+  AddQuantiles("slope_", std::move(slopes_rad), evidence);
+  AddQuantiles("azimuth_", std::move(azimuths_rad), evidence);
+}
+
+double LargestStep(const TargetStripe& stripe) {
+  double largest_m = 0.0;
+  for (size_t i = 1; i < stripe.p_L_m.size(); ++i) {
+    largest_m = std::max(largest_m, (stripe.p_L_m[i] - stripe.p_L_m[i - 1]).squaredNorm());
+  }
+  return std::sqrt(largest_m);
+}
+
+}  // namespace
+
+void AddStripeEvidence(const TargetStripe& given, double scale_m, EvidenceList* evidence) {
+  TargetStripe stripe = given;
+  if (stripe.empty()) {  // a short flat stripe: no evidence of anything
+    stripe.p_L_m = {Eigen::Vector3d::Zero(), Eigen::Vector3d(0.0, -0.01 * scale_m, 0.0)};
+    stripe.curve_m = {Eigen::Vector2d::Zero(), Eigen::Vector2d(0.01 * scale_m, 0.0)};
+    stripe.segment_begins = {0};
+  }
+  const std::vector<Curve> fine = Resample(stripe, kFineSamples);
+  const std::vector<Curve> coarse = Resample(stripe, kCoarseSamples);
+  Curve all;
+  for (const Curve& piece : coarse) all.insert(all.end(), piece.begin(), piece.end());
+  const double length_m = std::max((all.back() - all.front()).norm(), 0.01 * scale_m);
+  evidence->Add("segments", static_cast<double>(given.segment_begins.size()));
+  evidence->Add("gap", LargestStep(stripe) / scale_m);
+  evidence->Add("length", length_m / scale_m);
+  evidence->Add("noise", stripe.noise_m / length_m);
+  AddTurning("fine_", fine, evidence);
+  AddTurning("coarse_", coarse, evidence);
+  AddFits(all, length_m, scale_m, evidence);
+  AddSagitta(all, length_m, evidence);
+  AddDirections(stripe, evidence);
+}
+
+}  // namespace geon::recognition

@@ -1,0 +1,80 @@
+#include <chrono>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "config/text_file.h"
+#include "evaluation/train_forest.h"
+#include "procs/geon/commands.h"
+
+namespace geon::cli {
+namespace {
+
+struct TrainArguments {
+  evaluation::TrainingOptions training;
+  std::filesystem::path output;
+};
+
+// How far the training is, every two seconds.
+class TrainingProgress {
+ public:
+  void operator()(double fraction) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return;
+    next_ = now + std::chrono::seconds(2);
+    std::cerr << "geon train: " << static_cast<int>(100.0 * fraction) << " %\n";
+  }
+
+ private:
+  std::chrono::steady_clock::time_point next_ =
+      std::chrono::steady_clock::now() + std::chrono::seconds(2);
+};
+
+int Train(const TrainArguments& arguments) {
+  evaluation::TrainingReport report;
+  const evaluation::OwnedForest forest =
+      evaluation::TrainForest(arguments.training, TrainingProgress(), &report);
+  const Status written = config::WriteFileAtomically(
+      arguments.output, evaluation::ForestSource(forest, arguments.training));
+  if (!written.ok()) {
+    std::cerr << "geon train: " << written.message() << '\n';
+    return kFailed;
+  }
+  std::cout << std::fixed << std::setprecision(1) << forest.roots.size() << " trees, "
+            << forest.nodes.size() << " nodes, " << forest.features << " measurements\n"
+            << "on " << report.calibration_scans
+            << " scans that no tree has seen: " << 100.0 * report.right_1 << " % right; "
+            << 100.0 * report.decided_1 << " % decided, of which " << std::setprecision(2)
+            << 100.0 * report.decided_right_1 << " % right\n";
+  return kOk;
+}
+
+}  // namespace
+
+void AddTrainCommand(CLI::App& app, int* exit_code) {
+  auto arguments = std::make_shared<TrainArguments>();
+  evaluation::TrainingOptions& training = arguments->training;
+  CLI::App* command = app.add_subcommand(
+      "train", "Trains the forest of method evidence on scans of random shapes.");
+  command->add_option("--seed", training.seed, "of shapes, scans and trees")->capture_default_str();
+  command->add_option("--scans", training.scans, "to grow the trees on")
+      ->check(CLI::Range(100, 10000000))
+      ->capture_default_str();
+  command->add_option("--calibration-scans", training.calibration_scans, "to fit the posterior on")
+      ->check(CLI::Range(100, 10000000))
+      ->capture_default_str();
+  command->add_option("--trees", training.trees, "that vote")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--depth", training.depth, "of the deepest tree")
+      ->check(CLI::Range(1, 25))
+      ->capture_default_str();
+  command->add_option("-o,--output", arguments->output, "C++ source of the forest")->required();
+  command->footer(
+      "Same options, same bytes. To use it: geon train -o common/recognition/trained_forest.inc, "
+      "then build again.");
+  command->callback([arguments, exit_code] { *exit_code = Train(*arguments); });
+}
+
+}  // namespace geon::cli
