@@ -38,7 +38,8 @@ TEST(FindTargetStripes, DropsASpike) {
   const Eigen::Vector3d ray = (points[middle] - scan.camera_position_L_m).normalized();
   points[middle] -= 0.03 * ray;
   const Eigen::Vector3d spike = points[middle];
-  for (const Eigen::Vector3d& p_L : FindTargetStripes(scan, {}, {})[1].p_L_m) {
+  const auto stripes = FindTargetStripes(scan, {}, {});
+  for (const Eigen::Vector3d& p_L : stripes[1].p_L_m) {
     EXPECT_GT((p_L - spike).norm(), 0.01);
   }
 }
