@@ -37,9 +37,9 @@ struct RandomScan {
 RandomScan MakeRandomScan(uint64_t seed, uint64_t t);
 
 // Scans of one shape for growing the forest of method `evidence`: as above but wider in
-// everything (0.75-1.9 m, 3-85 degrees, half the size to a tenth more), one shape in eight an open
-// vessel, and half of the views under one or two of the faults of FaultOptions. Depends on (seed,
-// t) and on `views` alone; shares no scan with MakeRandomScan.
+// everything (0.75-1.9 m, 3-85 degrees, half the size to a tenth more, flatter and longer), one
+// shape in eleven an open vessel, and half of the views under one or two of the faults of
+// FaultOptions. Depends on (seed, t) and on `views` alone; shares no scan with MakeRandomScan.
 std::vector<RandomScan> MakeStressedScans(uint64_t seed, uint64_t t, int views);
 
 }  // namespace geon::evaluation

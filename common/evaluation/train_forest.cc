@@ -1,9 +1,8 @@
 #include "evaluation/train_forest.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/ml.hpp>
 #include <sstream>

@@ -18,9 +18,17 @@ class EvidenceList {
   void BeginGroup(std::string_view group) {
     if (with_names_) group_ = group;
   }
-  void Add(std::string_view name, double value) {
+  void Add(std::string_view name, double value) { Add(name, "", value); }
+  // The name in two parts, which are joined only where it is kept.
+  void Add(std::string_view name, std::string_view more, double value) {
     values_.push_back(static_cast<float>(value));
-    if (with_names_) names_.push_back(group_ + "." + std::string(name));
+    if (with_names_) names_.push_back(group_ + "." + std::string(name) + std::string(more));
+  }
+  void Add(std::string_view name, size_t number, double value) {
+    values_.push_back(static_cast<float>(value));
+    if (with_names_) {
+      names_.push_back(group_ + "." + std::string(name) + std::to_string(number));
+    }
   }
 
   const std::vector<float>& values() const { return values_; }

@@ -125,12 +125,11 @@ bool BothDirectionsSeen(const std::vector<ProfileEvidence>& profiles) {
   return seen(Laser::kHorizontal) && seen(Laser::kVertical);
 }
 
-// Replaces the tree's answer by the forest's.
+// The forest's answer.
 void WeighEvidence(const sensor::ScanSet& scan, const RecognitionOptions& options,
                    sensor::GeonVerdict* verdict) {
   const GeonForest& forest = TrainedForest();
   const EvidenceList evidence = MeasureScan(scan, options);
-  verdict->method = "evidence";
   verdict->posterior = PosteriorOfVotes(CountVotes(forest, evidence.values()), forest.sharpness_1);
   const auto most = std::max_element(verdict->posterior.begin(), verdict->posterior.end());
   verdict->label = static_cast<GeonLabel>(most - verdict->posterior.begin());
@@ -146,7 +145,7 @@ sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const Recognition
   CheckScan(scan);
   sensor::GeonVerdict verdict;
   verdict.scan_id = scan.scan_id;
-  verdict.method = "thesis";
+  verdict.method = ToString(options.method);
 
   // 1. Smoothing.
   std::vector<RangeProfile> smooth;
@@ -177,11 +176,13 @@ sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const Recognition
   verdict.bending = FindBending(verdict.profiles, horizontal, vertical, options.bending);
   // 5. Evidence of tapering.
   verdict.tapering = FindTapering(horizontal, vertical, options.tapering);
-  // 6. The decision tree.
-  DecideGeon(&verdict);
+  // 6. The decision tree, or the weighing of the same evidence.
   verdict.decided = BothDirectionsSeen(verdict.profiles);
-  // ... or the weighing of the same evidence.
-  if (options.method == Method::kEvidence) WeighEvidence(scan, options, &verdict);
+  if (options.method == Method::kThesis) {
+    DecideGeon(&verdict);
+  } else {
+    WeighEvidence(scan, options, &verdict);
+  }
   return verdict;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <string_view>
 
 #include "recognition/difference_of_slope.h"
 
@@ -43,15 +43,15 @@ double Quantile(const std::vector<double>& sorted, double share_1) {
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-void AddQuantiles(const std::string& name, std::vector<double> values, EvidenceList* evidence) {
+void AddQuantiles(std::string_view name, std::vector<double> values, EvidenceList* evidence) {
   std::sort(values.begin(), values.end());
   for (size_t q = 0; q < kQuantiles.size(); ++q) {
-    evidence->Add(name + kQuantileNames[q], Quantile(values, kQuantiles[q]));
+    evidence->Add(name, kQuantileNames[q], Quantile(values, kQuantiles[q]));
   }
 }
 
 // How the stripe turns: quantiles of theta, its place of most turning, how much it turns in all.
-void AddTurning(const std::string& name, const std::vector<Curve>& pieces, EvidenceList* evidence) {
+void AddTurning(std::string_view name, const std::vector<Curve>& pieces, EvidenceList* evidence) {
   std::vector<double> theta_rad;
   double sum_rad = 0.0, magnitude_rad = 0.0;
   for (const Curve& piece : pieces) {
@@ -64,9 +64,9 @@ void AddTurning(const std::string& name, const std::vector<Curve>& pieces, Evide
   }
   const auto most = std::max_element(theta_rad.begin(), theta_rad.end());
   const double count = std::max(1.0, static_cast<double>(theta_rad.size()));
-  evidence->Add(name + "place", static_cast<double>(most - theta_rad.begin()) / count);
-  evidence->Add(name + "mean", sum_rad / count);
-  evidence->Add(name + "one_sided", magnitude_rad > 0.0 ? std::abs(sum_rad) / magnitude_rad : 0.0);
+  evidence->Add(name, "place", static_cast<double>(most - theta_rad.begin()) / count);
+  evidence->Add(name, "mean", sum_rad / count);
+  evidence->Add(name, "one_sided", magnitude_rad > 0.0 ? std::abs(sum_rad) / magnitude_rad : 0.0);
   AddQuantiles(name, std::move(theta_rad), evidence);
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
+#include <string_view>
 
 namespace geon::recognition {
 namespace {
@@ -106,11 +106,12 @@ void AddCurvatures(const Grid& grid, double scale_m, EvidenceList* evidence) {
         curvatures[k++] = Curvature(a, b, scale_m);
       }
     }
-    const std::string name = direction == 0 ? "along_rows_" : "along_columns_";
-    for (size_t c = 0; c < 6; ++c) evidence->Add(name + std::to_string(c), curvatures[c]);
+    const std::string_view name = direction == 0 ? "along_rows_" : "along_columns_";
+    const std::string_view rank = direction == 0 ? "along_rows_rank_" : "along_columns_rank_";
+    for (size_t c = 0; c < 6; ++c) evidence->Add(name, c, curvatures[c]);
     std::sort(curvatures.begin(), curvatures.end());
-    for (size_t c : {0U, 2U, 3U, 5U})
-      evidence->Add(name + "rank_" + std::to_string(c), curvatures[c]);
+    for (size_t c : {size_t{0}, size_t{2}, size_t{3}, size_t{5}})
+      evidence->Add(rank, c, curvatures[c]);
   }
 }
 
@@ -147,7 +148,7 @@ void AddScatter(const Grid& grid, double scale_m, EvidenceList* evidence) {
   const Eigen::Vector3d p = roots(places), n = roots(normals);
   evidence->Add("crossings", count);
   evidence->Add("off_plane", p[0]);
-  for (int k = 0; k < 3; ++k) evidence->Add("normals_" + std::to_string(k), n[k]);
+  for (int k = 0; k < 3; ++k) evidence->Add("normals_", static_cast<size_t>(k), n[k]);
   evidence->Add("mean_normal_up", mean_n.z());
   evidence->Add("mean_normal_length", mean_n.norm());
 }
@@ -161,10 +162,10 @@ void AddSurfaceEvidence(const std::vector<TargetStripe>& stripes, const Eigen::V
     for (size_t column = 0; column < 3; ++column) {
       const Eigen::Vector3d n =
           grid[row][column] ? grid[row][column]->normal_L : Eigen::Vector3d::Zero();
-      const std::string place = std::to_string(row) + std::to_string(column);
-      evidence->Add("forward_" + place, -n.x());
-      evidence->Add("left_" + place, n.y());
-      evidence->Add("up_" + place, n.z());
+      const size_t place = 10 * (row + 1) + column + 1;
+      evidence->Add("forward_", place, -n.x());
+      evidence->Add("left_", place, n.y());
+      evidence->Add("up_", place, n.z());
     }
   }
   AddCurvatures(grid, scale_m, evidence);

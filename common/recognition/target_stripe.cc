@@ -1,6 +1,7 @@
 #include "recognition/target_stripe.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 

@@ -1,4 +1,3 @@
-#include <chrono>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -7,6 +6,7 @@
 #include "config/daemon_arguments.h"
 #include "config/verdict_json.h"
 #include "procs/geon/commands.h"
+#include "procs/geon/progress.h"
 #include "procs/geon/recognition_arguments.h"
 #include "procs/geon/recorded_scans.h"
 #include "procs/geon/verdict_text.h"
@@ -20,21 +20,6 @@ struct ReplayArguments {
   std::string calibration;
   RecognitionArguments recognition;
   bool json = false;
-};
-
-// Says how far a long reading is, once a second, after two.
-class Progress {
- public:
-  void Say(double fraction) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now < next_) return;
-    next_ = now + std::chrono::seconds(1);
-    std::cerr << "geon replay: " << static_cast<int>(100.0 * fraction) << " %\n";
-  }
-
- private:
-  std::chrono::steady_clock::time_point next_ =
-      std::chrono::steady_clock::now() + std::chrono::seconds(2);
 };
 
 // What the reader of the result must know about the log and the set-up.
@@ -132,7 +117,7 @@ int Replay(const ReplayArguments& arguments) {
     return kNotReady;
   }
   config->assembler.recognition = ToOptions(arguments.recognition, config->assembler.recognition);
-  Progress progress;
+  Progress progress("geon replay");
   const auto read = [&] {
     return ReplayLog(arguments.log, *config, *calibration,
                      [&progress](double done) { progress.Say(done); });

@@ -1,4 +1,3 @@
-#include <chrono>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -7,6 +6,7 @@
 #include "config/text_file.h"
 #include "evaluation/train_forest.h"
 #include "procs/geon/commands.h"
+#include "procs/geon/progress.h"
 
 namespace geon::cli {
 namespace {
@@ -16,25 +16,11 @@ struct TrainArguments {
   std::filesystem::path output;
 };
 
-// How far the training is, every two seconds.
-class TrainingProgress {
- public:
-  void operator()(double fraction) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now < next_) return;
-    next_ = now + std::chrono::seconds(2);
-    std::cerr << "geon train: " << static_cast<int>(100.0 * fraction) << " %\n";
-  }
-
- private:
-  std::chrono::steady_clock::time_point next_ =
-      std::chrono::steady_clock::now() + std::chrono::seconds(2);
-};
-
 int Train(const TrainArguments& arguments) {
   evaluation::TrainingReport report;
-  const evaluation::OwnedForest forest =
-      evaluation::TrainForest(arguments.training, TrainingProgress(), &report);
+  Progress progress("geon train");
+  const evaluation::OwnedForest forest = evaluation::TrainForest(
+      arguments.training, [&progress](double done) { progress.Say(done); }, &report);
   const Status written = config::WriteFileAtomically(
       arguments.output, evaluation::ForestSource(forest, arguments.training));
   if (!written.ok()) {
