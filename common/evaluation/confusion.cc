@@ -1,5 +1,6 @@
 #include "evaluation/confusion.h"
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -40,6 +41,33 @@ std::array<SuccessRate, kGeonLabelCount> RatesByClass(std::span<const ConfusionR
     rate.n += row.rate().n;
   }
   return classes;
+}
+
+std::optional<GeonLabel> WorstClass(std::span<const ConfusionRow> rows) {
+  const auto classes = RatesByClass(rows);
+  std::optional<GeonLabel> worst;
+  double lowest_1 = 2.0;
+  for (size_t k = 0; k < classes.size(); ++k) {
+    if (classes[k].n == 0 || classes[k].value_1() >= lowest_1) continue;
+    worst = static_cast<GeonLabel>(k);
+    lowest_1 = classes[k].value_1();
+  }
+  return worst;
+}
+
+std::optional<ConfusionRow> WorstRow(std::span<const ConfusionRow> rows) {
+  const auto worst =
+      std::min_element(rows.begin(), rows.end(), [](const ConfusionRow& a, const ConfusionRow& b) {
+        return a.rate().value_1() < b.rate().value_1();
+      });
+  return worst == rows.end() ? std::nullopt : std::optional(*worst);
+}
+
+std::optional<CellRate> WorstCell(std::span<const CellRate> cells) {
+  const auto worst = std::min_element(
+      cells.begin(), cells.end(),
+      [](const CellRate& a, const CellRate& b) { return a.rate.value_1() < b.rate.value_1(); });
+  return worst == cells.end() ? std::nullopt : std::optional(*worst);
 }
 
 double MeanOfRows(std::span<const ConfusionRow> rows) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,12 @@ std::vector<ConfusionRow> CountAnswers(std::span<const Subject> subjects,
 
 SuccessRate OverallRate(std::span<const ConfusionRow> rows);
 std::array<SuccessRate, kGeonLabelCount> RatesByClass(std::span<const ConfusionRow> rows);
+
+// The class with the lowest rate, the row, the viewing cell: of equals the first. Nothing without
+// trials.
+std::optional<GeonLabel> WorstClass(std::span<const ConfusionRow> rows);
+std::optional<ConfusionRow> WorstRow(std::span<const ConfusionRow> rows);
+std::optional<CellRate> WorstCell(std::span<const CellRate> cells);
 
 // The mean over the rows' rates, each row counting the same: the thesis's "mean of the 60 cells".
 double MeanOfRows(std::span<const ConfusionRow> rows);

@@ -84,9 +84,39 @@ std::string ErrorByElevation(std::span<const CellRate> cells) {
                        kThesisLowestError, kThesisHighestError);
 }
 
+std::string Worst(std::span<const ConfusionRow> rows, std::span<const CellRate> cells) {
+  std::string text;
+  if (const auto label = WorstClass(rows)) {
+    text += "worst class: " + std::string(ToString(*label)) + ", right " +
+            WithInterval(RatesByClass(rows)[static_cast<size_t>(*label)]) + "\n";
+  }
+  if (const auto row = WorstRow(rows)) {
+    text += "worst row: " + std::string(ToString(row->subject.truth)) + ", object " +
+            row->subject.object + ", position " + std::to_string(row->subject.position) +
+            ", right " + WithInterval(row->rate()) + "\n";
+  }
+  if (const auto cell = WorstCell(cells)) {
+    text += Format("worst view: elevation %.0f deg, azimuth %.0f deg, right ",
+                   DegreesFromRadians(cell->cell.elevation_rad),
+                   DegreesFromRadians(cell->cell.azimuth_rad)) +
+            WithInterval(cell->rate) + "\n";
+  }
+  return text;
+}
+
+std::string Trust(const Reliability& reliability) {
+  std::string text = "decided: " + WithInterval(reliability.decided_share()) + "\n";
+  if (reliability.decided.n > 0) {
+    text += "right among the decided: " + WithInterval(reliability.decided) + "\n";
+  }
+  return text + Format("expected calibration error: %.2f %%\n",
+                       100.0 * reliability.expected_calibration_error_1);
+}
+
 }  // namespace
 
-std::string ShapeTables(std::span<const ConfusionRow> rows, std::span<const CellRate> cells) {
+std::string ShapeTables(std::span<const ConfusionRow> rows, std::span<const CellRate> cells,
+                        const Reliability& reliability) {
   if (rows.empty()) return "No trials.\n";
   std::string text, summary;
   int undecided = 0;
@@ -105,7 +135,7 @@ std::string ShapeTables(std::span<const ConfusionRow> rows, std::span<const Cell
   }
   text += "\n" + summary + Summary("all", rows);
   text += "undecided: " + std::to_string(undecided) + "\n";
-  return text + ErrorByElevation(cells);
+  return text + ErrorByElevation(cells) + "\n" + Worst(rows, cells) + Trust(reliability);
 }
 
 }  // namespace geon::evaluation

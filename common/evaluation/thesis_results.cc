@@ -94,4 +94,19 @@ std::optional<std::array<int, kGeonLabelCount>> ThesisRow(const Subject& subject
   return std::nullopt;
 }
 
+std::optional<std::array<double, kGeonLabelCount>> ThesisMeanRow(
+    std::span<const Subject> subjects) {
+  if (subjects.empty()) return std::nullopt;
+  std::array<double, kGeonLabelCount> mean{};
+  for (const Subject& subject : subjects) {
+    const auto row = ThesisRow(subject);
+    if (!row) return std::nullopt;
+    for (size_t k = 0; k < kThesisColumns.size(); ++k) {
+      mean[static_cast<size_t>(kThesisColumns[k])] +=
+          static_cast<double>((*row)[k]) / static_cast<double>(subjects.size());
+    }
+  }
+  return mean;
+}
+
 }  // namespace geon::evaluation

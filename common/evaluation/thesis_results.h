@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "evaluation/shape_experiment.h"
 
@@ -18,6 +19,10 @@ inline constexpr std::array<GeonLabel, kGeonLabelCount> kThesisColumns = {
 // Source: thesis tables 6.1-6.7. Object 1, position 2 of the tapered cylinders reads 88 there where
 // its row then sums to 120; 68 is used.
 std::optional<std::array<int, kGeonLabelCount>> ThesisRow(const Subject& subject);
+
+// The mean of the thesis's rows of these subjects, in percent, by GeonLabel; nothing when it lacks
+// one of them.
+std::optional<std::array<double, kGeonLabelCount>> ThesisMeanRow(std::span<const Subject> subjects);
 
 // Figure 6.11: the lowest and the highest error of a viewing cell, in percent.
 inline constexpr int kThesisLowestError = 3;

@@ -183,8 +183,10 @@ Status WriteRecord(const ShapeRecord& record, double seconds,
 }
 
 std::string RecordTables(const ShapeRecord& record) {
-  return evaluation::ShapeTables(evaluation::CountAnswers(record.subjects, record.trials),
-                                 evaluation::RatesByCell(record.subjects, record.trials));
+  return evaluation::ShapeTables(
+      evaluation::CountAnswers(record.subjects, record.trials),
+      evaluation::RatesByCell(record.subjects, record.trials),
+      evaluation::MeasureReliability(evaluation::PredictionsOf(record.subjects, record.trials)));
 }
 
 }  // namespace geon::cli

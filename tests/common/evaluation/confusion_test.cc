@@ -35,6 +35,20 @@ TEST(Confusion, MeanOfRowsCountsEveryRowAlike) {
   EXPECT_EQ(MeanOfRows({}), 0.0);
 }
 
+TEST(Confusion, TheWorstIsTheFirstOfTheLowestRate) {
+  const std::vector<ConfusionRow> rows = CountAnswers(kSubjects, kTrials);
+  EXPECT_EQ(WorstClass(rows), GeonLabel::kCuboid);
+  EXPECT_EQ(WorstRow(rows)->subject.object, "1");
+  EXPECT_EQ(WorstRow(rows)->subject.truth, GeonLabel::kCuboid);
+  const std::vector<CellRate> cells = RatesByCell(kSubjects, kTrials);
+  EXPECT_EQ(WorstCell(cells)->rate.right, 0);
+  EXPECT_EQ(WorstCell(std::vector{cells[0], cells[2]})->cell.azimuth_rad,
+            cells[0].cell.azimuth_rad);
+  EXPECT_FALSE(WorstClass({}).has_value());
+  EXPECT_FALSE(WorstRow({}).has_value());
+  EXPECT_FALSE(WorstCell({}).has_value());
+}
+
 TEST(Confusion, RatesByViewComeInOrder) {
   const std::vector<CellRate> cells = RatesByCell(kSubjects, kTrials);
   ASSERT_EQ(cells.size(), 4U);

@@ -26,6 +26,17 @@ TEST(ThesisResults, ColumnsAreInTheThesissOrder) {
   EXPECT_EQ(*row, (std::array{0, 0, 27, 73, 0, 0, 0}));
 }
 
+TEST(ThesisResults, MeanRowsAreInTheOrderOfLabels) {
+  const std::vector<Subject> two = {{GeonLabel::kBentCylinder, "1", 1},
+                                    {GeonLabel::kBentCylinder, "2", 1}};
+  const auto mean = ThesisMeanRow(two);
+  ASSERT_TRUE(mean.has_value());
+  EXPECT_NEAR((*mean)[static_cast<size_t>(GeonLabel::kBentCuboid)], 33.5, 1e-9);
+  EXPECT_NEAR((*mean)[static_cast<size_t>(GeonLabel::kBentCylinder)], 66.5, 1e-9);
+  EXPECT_FALSE(ThesisMeanRow({}).has_value());
+  EXPECT_FALSE(ThesisMeanRow(std::vector<Subject>{two[0], {GeonLabel::kCuboid, "banana", 1}}));
+}
+
 TEST(ThesisResults, KnowsNoOtherObjects) {
   EXPECT_FALSE(ThesisRow({GeonLabel::kCuboid, "banana", 1}).has_value());
   EXPECT_FALSE(ThesisRow({GeonLabel::kBentCylinder, "2", 2}).has_value());  // N/A in table 6.4
