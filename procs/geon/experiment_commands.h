@@ -12,8 +12,8 @@ void AddExperimentShapesCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentMergeCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentTuneCommand(CLI::App& experiment, int* exit_code);
 
-// Prints the tables (or the JSON) of a record and writes its files where `output` is not empty.
-// Returns the exit code.
+// Prints the tables (or the JSON) of a record and writes results.json, timing.json and report.html
+// where `output` is not empty. Returns the exit code.
 int Deliver(const ShapeRecord& record, double seconds, bool json,
             const std::filesystem::path& output);
 

@@ -40,7 +40,9 @@ void AddExperimentMergeCommand(CLI::App& experiment, int* exit_code) {
   command->add_option("DIR", arguments->shards, "folders that hold a results.json")
       ->required()
       ->check(CLI::ExistingDirectory);
-  command->add_option("-o,--output", arguments->output, "folder for the joint results.json")
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "folder for the joint results.json and report.html")
       ->required();
   command->add_flag("--json", arguments->json, "print results.json instead of the tables");
   command->callback([arguments, exit_code] { *exit_code = Merge(*arguments); });

@@ -1,45 +1,24 @@
 #include "procs/geon/experiment_record.h"
 
 #include <algorithm>
-#include <cmath>
+#include <stdexcept>
 
 #include "base/angles.h"
 #include "config/text_file.h"
 #include "evaluation/shape_tables.h"
+#include "procs/geon/experiment_rates.h"
 
 namespace geon::cli {
 namespace {
 
-using evaluation::CellRate;
 using evaluation::ConfusionRow;
 using evaluation::ShapeTrial;
 using evaluation::Subject;
-using evaluation::SuccessRate;
 using nlohmann::json;
 
 constexpr const char* kFormat = "geon.experiment.v1";
 
-json ToJson(const SuccessRate& rate) {
-  const evaluation::Interval interval = evaluation::WilsonInterval(rate);
-  return {{"right", rate.right},
-          {"n", rate.n},
-          {"rate", rate.value_1()},
-          {"wilson95", {interval.low_1, interval.high_1}}};
-}
-
-// Cells lie at whole degrees.
-int Degrees(double angle_rad) {
-  return static_cast<int>(std::lround(DegreesFromRadians(angle_rad)));
-}
-
-json ToJson(const CellRate& cell) {
-  json value = ToJson(cell.rate);
-  value["elevation_deg"] = Degrees(cell.cell.elevation_rad);
-  value["azimuth_deg"] = Degrees(cell.cell.azimuth_rad);
-  return value;
-}
-
-json ToJson(const ConfusionRow& row, const json& range_m) {
+json CellJson(const ConfusionRow& row, const json& range_m) {
   json counts;
   for (size_t k = 0; k < row.counts.size(); ++k) {
     counts[std::string(kGeonLabelNames[k])] = row.counts[k];
@@ -53,32 +32,17 @@ json ToJson(const ConfusionRow& row, const json& range_m) {
           {"undecided", row.undecided}};
 }
 
-json ToJson(const ShapeTrial& trial, const Subject& subject) {
+json TrialJson(const ShapeTrial& trial, const Subject& subject) {
   return {{"t", trial.t},
           {"subject", trial.subject},
           {"truth", ToString(subject.truth)},
           {"object", subject.object},
           {"position", subject.position},
-          {"elevation_deg", Degrees(trial.cell.elevation_rad)},
-          {"azimuth_deg", Degrees(trial.cell.azimuth_rad)},
+          {"elevation_deg", WholeDegrees(trial.cell.elevation_rad)},
+          {"azimuth_deg", WholeDegrees(trial.cell.azimuth_rad)},
           {"answer", ToString(trial.answer)},
           {"confidence", trial.confidence},
           {"decided", trial.decided}};
-}
-
-json Rates(const ShapeRecord& record) {
-  const std::vector<ConfusionRow> rows = evaluation::CountAnswers(record.subjects, record.trials);
-  json rates = {{"all", ToJson(evaluation::OverallRate(rows))},
-                {"mean_of_cells", evaluation::MeanOfRows(rows)}};
-  const auto classes = evaluation::RatesByClass(rows);
-  for (size_t k = 0; k < classes.size(); ++k) {
-    if (classes[k].n > 0) rates["classes"][std::string(kGeonLabelNames[k])] = ToJson(classes[k]);
-  }
-  rates["views"] = json::array();
-  for (const CellRate& cell : evaluation::RatesByCell(record.subjects, record.trials)) {
-    rates["views"].push_back(ToJson(cell));
-  }
-  return rates;
 }
 
 ShapeTrial ParseTrial(const json& value) {
@@ -90,16 +54,41 @@ ShapeTrial ParseTrial(const json& value) {
   trial.answer = GeonLabelFromString(value.at("answer").get<std::string>()).value();
   trial.confidence = value.at("confidence");
   trial.decided = value.at("decided");
+  if (!(trial.confidence >= 0.0 && trial.confidence <= 1.0)) {
+    throw std::runtime_error("trial " + std::to_string(trial.t) +
+                             ": a confidence lies within 0 and 1");
+  }
   return trial;
+}
+
+// Records made before views were kept have none. `trials` are by rising t.
+std::vector<WorstView> ParseWorst(const json& record, const std::vector<Subject>& subjects,
+                                  const std::vector<ShapeTrial>& trials) {
+  std::vector<WorstView> worst;
+  for (const json& value : record.value("worst", json::array())) {
+    WorstView view = ParseWorstView(value);
+    const auto trial = std::lower_bound(trials.begin(), trials.end(), view.t,
+                                        [](const ShapeTrial& each, int t) { return each.t < t; });
+    if (trial == trials.end() || trial->t != view.t) {
+      throw std::runtime_error("a view of trial " + std::to_string(view.t) +
+                               ", which is not there");
+    }
+    view.right = trial->answer == subjects[static_cast<size_t>(trial->subject)].truth;
+    view.confidence_1 = trial->confidence;
+    AddWorstView(std::move(view), &worst);
+  }
+  return worst;
 }
 
 }  // namespace
 
 std::string RecordText(const ShapeRecord& record) {
   json cells = json::array(), trials = json::array(), subjects = json::array();
+  json worst = json::array();
+  for (const WorstView& view : record.worst) worst.push_back(ToJson(view));
   const json& range_m = record.conditions.at("range_m");
   for (const ConfusionRow& row : evaluation::CountAnswers(record.subjects, record.trials)) {
-    cells.push_back(ToJson(row, range_m));
+    cells.push_back(CellJson(row, range_m));
   }
   for (const Subject& subject : record.subjects) {
     subjects.push_back({{"truth", ToString(subject.truth)},
@@ -107,12 +96,20 @@ std::string RecordText(const ShapeRecord& record) {
                         {"position", subject.position}});
   }
   for (const ShapeTrial& trial : record.trials) {
-    trials.push_back(ToJson(trial, record.subjects[static_cast<size_t>(trial.subject)]));
+    trials.push_back(TrialJson(trial, record.subjects[static_cast<size_t>(trial.subject)]));
   }
-  return json{{"format", kFormat},      {"experiment", "shapes"}, {"method", record.method},
-              {"seed", record.seed},    {"git", record.git},      {"conditions", record.conditions},
-              {"subjects", subjects},   {"cells", cells},         {"trials", trials},
-              {"rates", Rates(record)}, {"seconds", nullptr}}
+  return json{{"format", kFormat},
+              {"experiment", "shapes"},
+              {"method", record.method},
+              {"seed", record.seed},
+              {"git", record.git},
+              {"conditions", record.conditions},
+              {"subjects", subjects},
+              {"cells", cells},
+              {"trials", trials},
+              {"worst", worst},
+              {"rates", RatesJson(record.subjects, record.trials)},
+              {"seconds", nullptr}}
              .dump() +
          "\n";
 }
@@ -142,6 +139,7 @@ Result<ShapeRecord> LoadRecord(const std::filesystem::path& file) {
         return Status::Error(file.string() + ": a trial of a subject that is not there");
       }
     }
+    record.worst = ParseWorst(value, record.subjects, record.trials);
     return record;
   } catch (const std::exception& error) {
     return Status::Error(file.string() + ": damaged results: " + error.what());
@@ -159,6 +157,7 @@ Result<ShapeRecord> MergeRecords(const std::vector<ShapeRecord>& shards) {
                            " is of another experiment (method, seed, build or conditions differ)");
     }
     all.trials.insert(all.trials.end(), shard.trials.begin(), shard.trials.end());
+    for (const WorstView& view : shard.worst) AddWorstView(view, &all.worst);
   }
   std::sort(all.trials.begin(), all.trials.end(),
             [](const ShapeTrial& a, const ShapeTrial& b) { return a.t < b.t; });

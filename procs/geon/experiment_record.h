@@ -7,6 +7,7 @@
 
 #include "base/status.h"
 #include "evaluation/confusion.h"
+#include "procs/geon/worst_views.h"
 
 namespace geon::cli {
 
@@ -19,6 +20,7 @@ struct ShapeRecord {
   nlohmann::json conditions;
   std::vector<evaluation::Subject> subjects;
   std::vector<evaluation::ShapeTrial> trials;  // by rising t
+  std::vector<WorstView> worst;                // of these trials, the worst first
 };
 
 // Contract geon.experiment.v1. The same trials give the same bytes however they were spread over
@@ -27,8 +29,8 @@ std::string RecordText(const ShapeRecord& record);
 
 Result<ShapeRecord> LoadRecord(const std::filesystem::path& file);
 
-// The trials of all shards together. Errors: other conditions, method, seed or build, or a trial
-// that two of them have.
+// The trials of all shards together, and the worst views of them all. Errors: other conditions,
+// method, seed or build, or a trial that two of them have.
 Result<ShapeRecord> MergeRecords(const std::vector<ShapeRecord>& shards);
 
 // Writes DIRECTORY/results.json and timing.json, making the directory.

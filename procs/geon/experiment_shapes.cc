@@ -7,31 +7,40 @@
 namespace geon::cli {
 namespace {
 
-using evaluation::ShapeTrial;
+void KeepIfWorst(const evaluation::ShapeTrial& trial, GeonLabel truth, const sensor::ScanSet& scan,
+                 const sensor::GeonVerdict& verdict, std::vector<WorstView>* worst) {
+  WorstView view{trial.t, trial.answer == truth, trial.confidence, verdict.posterior, {}, {}};
+  if (!IsAmongWorst(view, *worst)) return;
+  view.reasons = verdict.reasons;
+  view.stripes = DrawStripes(scan);
+  AddWorstView(std::move(view), worst);
+}
 
-std::vector<ShapeTrial> RunObject(const ShownObject& object, int subject,
-                                  const std::vector<evaluation::ViewingCell>& sphere,
-                                  const evaluation::SphereConditions& conditions,
-                                  const Recognizer& recognize, Shard shard) {
+ShapeRun RunObject(const ShownObject& object, int subject,
+                   const std::vector<evaluation::ViewingCell>& sphere,
+                   const evaluation::SphereConditions& conditions, const Recognizer& recognize,
+                   Shard shard) {
   const evaluation::ObjectTracer tracer(object.mesh);
-  std::vector<ShapeTrial> trials;
+  ShapeRun run;
   for (size_t c = 0; c < sphere.size(); ++c) {
     const int t = subject * static_cast<int>(sphere.size()) + static_cast<int>(c);
     if (t % shard.count != shard.index - 1) continue;
     const sensor::ScanSet scan = evaluation::MakeTrialScan(tracer, sphere[c], t, conditions);
     const sensor::GeonVerdict verdict = recognize(scan);
-    trials.push_back({t, subject, sphere[c], verdict.label, verdict.confidence, verdict.decided});
+    run.trials.push_back(
+        {t, subject, sphere[c], verdict.label, verdict.confidence, verdict.decided});
+    KeepIfWorst(run.trials.back(), object.subject.truth, scan, verdict, &run.worst);
   }
-  return trials;
+  return run;
 }
 
 }  // namespace
 
-std::vector<ShapeTrial> RunShapeTrials(const std::vector<ShownObject>& objects,
-                                       const std::vector<evaluation::ViewingCell>& sphere,
-                                       const evaluation::SphereConditions& conditions,
-                                       const Recognizer& recognize, Shard shard, int jobs) {
-  std::vector<std::vector<ShapeTrial>> by_object(objects.size());
+ShapeRun RunShapeTrials(const std::vector<ShownObject>& objects,
+                        const std::vector<evaluation::ViewingCell>& sphere,
+                        const evaluation::SphereConditions& conditions, const Recognizer& recognize,
+                        Shard shard, int jobs) {
+  std::vector<ShapeRun> by_object(objects.size());
   std::atomic<size_t> next{0};
   const auto work = [&] {
     for (size_t k = next++; k < objects.size(); k = next++) {
@@ -44,9 +53,12 @@ std::vector<ShapeTrial> RunShapeTrials(const std::vector<ShownObject>& objects,
     for (int job = 1; job < jobs; ++job) workers.emplace_back(work);
     work();
   }
-  std::vector<ShapeTrial> trials;
-  for (const auto& own : by_object) trials.insert(trials.end(), own.begin(), own.end());
-  return trials;
+  ShapeRun run;
+  for (ShapeRun& own : by_object) {
+    run.trials.insert(run.trials.end(), own.trials.begin(), own.trials.end());
+    for (WorstView& view : own.worst) AddWorstView(std::move(view), &run.worst);
+  }
+  return run;
 }
 
 }  // namespace geon::cli

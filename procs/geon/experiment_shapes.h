@@ -5,6 +5,7 @@
 
 #include "evaluation/shape_experiment.h"
 #include "procs/geon/experiment_objects.h"
+#include "procs/geon/worst_views.h"
 #include "sensor/geon_verdict.h"
 
 namespace geon::cli {
@@ -17,10 +18,15 @@ struct Shard {
 
 using Recognizer = std::function<sensor::GeonVerdict(const sensor::ScanSet&)>;
 
-// Recognises every view of every object, `jobs` objects at a time; trials by rising t.
-std::vector<evaluation::ShapeTrial> RunShapeTrials(
-    const std::vector<ShownObject>& objects, const std::vector<evaluation::ViewingCell>& sphere,
-    const evaluation::SphereConditions& conditions, const Recognizer& recognize, Shard shard,
-    int jobs);
+struct ShapeRun {
+  std::vector<evaluation::ShapeTrial> trials;  // by rising t
+  std::vector<WorstView> worst;
+};
+
+// Recognises every view of every object, `jobs` objects at a time.
+ShapeRun RunShapeTrials(const std::vector<ShownObject>& objects,
+                        const std::vector<evaluation::ViewingCell>& sphere,
+                        const evaluation::SphereConditions& conditions, const Recognizer& recognize,
+                        Shard shard, int jobs);
 
 }  // namespace geon::cli

@@ -4,8 +4,10 @@
 #include <memory>
 
 #include "config/daemon_arguments.h"
+#include "config/text_file.h"
 #include "procs/geon/commands.h"
 #include "procs/geon/experiment_commands.h"
+#include "procs/geon/experiment_page.h"
 #include "procs/geon/experiment_record.h"
 #include "procs/geon/experiment_shapes.h"
 #include "procs/geon/recognition_arguments.h"
@@ -104,10 +106,12 @@ int RunShapes(const ShapesArguments& arguments) {
     if (stress.scale_1 != 1.0) Scale(stress.scale_1, &object.mesh);
     record.subjects.push_back(object.subject);
   }
-  record.trials = RunShapeTrials(
+  ShapeRun run = RunShapeTrials(
       *objects, evaluation::ViewingSphere(low_deg, high_deg), conditions,
       [&options](const sensor::ScanSet& scan) { return recognition::RecognizeGeon(scan, options); },
       shard, arguments.jobs);
+  record.trials = std::move(run.trials);
+  record.worst = std::move(run.worst);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   std::cerr << record.trials.size() << " scans made and recognised in " << seconds << " s\n";
@@ -120,8 +124,14 @@ int Deliver(const ShapeRecord& record, double seconds, bool json,
             const std::filesystem::path& output) {
   std::cout << (json ? RecordText(record) : RecordTables(record)) << std::flush;
   if (output.empty()) return kOk;
-  const Status written = WriteRecord(record, seconds, output);
-  if (written.ok()) return kOk;
+  Status written = WriteRecord(record, seconds, output);
+  if (written.ok()) {
+    written = config::WriteFileAtomically(output / "report.html", ExperimentPage(record));
+  }
+  if (written.ok()) {
+    std::cerr << "geon experiment: wrote " << (output / "report.html").string() << '\n';
+    return kOk;
+  }
   std::cerr << "geon experiment: " << written.message() << '\n';
   return kFailed;
 }
@@ -165,7 +175,7 @@ void AddExperimentShapesCommand(CLI::App& experiment, int* exit_code) {
   command->add_option("--jobs", arguments->jobs, "objects looked at at a time")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  command->add_option("-o,--output", arguments->output, "folder for results.json");
+  command->add_option("-o,--output", arguments->output, "folder for results.json and report.html");
   command->add_flag("--json", arguments->json, "print results.json instead of the tables");
   command->callback([arguments, exit_code] { *exit_code = RunShapes(*arguments); });
 }

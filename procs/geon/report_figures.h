@@ -14,6 +14,9 @@ namespace geon::cli {
 // A picture with the outline of what was taken for the target, and its box.
 std::string ViewFigure(const sensor::TargetView& view);
 
+// "Horizontal ¼ from the top".
+std::string StripeName(sensor::Laser laser, double fraction_1);
+
 // A card for each stripe: the profile to scale, target and background told apart, and its
 // theta-plot.
 std::string StripeFigures(const RunRecord& run, const geometry::SensorRig& rig);

@@ -15,10 +15,6 @@ namespace {
 
 constexpr size_t kEarlierViews = 4;
 
-std::string WithArticle(GeonLabel label) {
-  return (label == GeonLabel::kEllipsoid ? "an " : "a ") + PlainName(label);
-}
-
 double DrivenMetres(const RunRecord& run) {
   double driven_m = 0.0;
   for (size_t i = 1; i < run.path.size(); ++i) {
@@ -52,10 +48,6 @@ std::string Headline(const RunRecord& run, const std::optional<GeonLabel>& truth
   }
   return html + "Confidence " + Fixed(100.0 * verdict.confidence, 0) + " %, by the method “" +
          Escape(verdict.method) + "”" + (verdict.decided ? "" : "; no more than a guess") + ".</p>";
-}
-
-std::string Fact(const std::string& value, const std::string& name) {
-  return "<div><b>" + value + "</b><span>" + name + "</span></div>";
 }
 
 std::string Facts(const RunRecord& run) {
@@ -199,8 +191,8 @@ std::string ReportPage(const RunRecord& run, const geometry::SensorRig& rig,
   return std::string(
              "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta "
              "name=\"viewport\" content=\"width=device-width\"><title>geonbot: ") +
-         Escape(title) + "</title><style>" + kReportStyle + "</style></head><body><main>" +
-         Headline(run, true_label) + Facts(run) + Notices(run) +
+         Escape(title) + "</title><style>" + kReportStyle + kReportDarkStyle +
+         "</style></head><body><main>" + Headline(run, true_label) + Facts(run) + Notices(run) +
          "<h2>What the robot saw, and why it decided so</h2><div class=\"two\">" +
          ViewSection(run) + WhySection(run) +
          "</div><h2>The stripes</h2><p class=\"muted\">Horizontal stripes from above, vertical "

@@ -29,12 +29,6 @@ std::string FractionName(double fraction) {
   return Fixed(fraction, 2);
 }
 
-std::string StripeName(const sensor::RangeProfile& profile) {
-  const bool vertical = profile.laser == sensor::Laser::kVertical;
-  return std::string(vertical ? "Vertical " : "Horizontal ") + FractionName(profile.fraction) +
-         (vertical ? " from the left" : " from the top");
-}
-
 std::string ProfileSvg(const sensor::RangeProfile& profile, const std::vector<bool>& on_target) {
   Points target;
   Points background;
@@ -63,7 +57,7 @@ std::string ProfileSvg(const sensor::RangeProfile& profile, const std::vector<bo
       corner + Eigen::Vector2d(0.02, 0.04).cwiseProduct(high - low + 2 * margin);
   plot.Line(from, from + Eigen::Vector2d(bar_m, 0), "scale");
   plot.Text(from + Eigen::Vector2d(bar_m, 0), {4, 3}, "start", "small", "5 cm");
-  return plot.Svg("profile of the stripe " + StripeName(profile));
+  return plot.Svg("profile of the stripe " + StripeName(profile.laser, profile.fraction));
 }
 
 std::string ThetaSvg(const sensor::ProfileEvidence& evidence) {
@@ -120,6 +114,12 @@ const sensor::ProfileEvidence* EvidenceOf(const RunRecord& run,
 
 }  // namespace
 
+std::string StripeName(sensor::Laser laser, double fraction_1) {
+  const bool vertical = laser == sensor::Laser::kVertical;
+  return std::string(vertical ? "Vertical " : "Horizontal ") + FractionName(fraction_1) +
+         (vertical ? " from the left" : " from the top");
+}
+
 std::string StripeFigures(const RunRecord& run, const geometry::SensorRig& rig) {
   if (!run.plan || run.profiles.empty()) return "<p class=\"muted\">No stripe was measured.</p>";
   std::vector<sensor::RangeProfile> profiles;
@@ -128,7 +128,7 @@ std::string StripeFigures(const RunRecord& run, const geometry::SensorRig& rig) 
   const auto region = recognition::FindVerticalRegion(scan, {});
   std::string html = "<div class=\"stripes\">";
   for (const sensor::RangeProfile& profile : profiles) {
-    html += "<figure class=\"card\"><h3>" + StripeName(profile) + "</h3>";
+    html += "<figure class=\"card\"><h3>" + StripeName(profile.laser, profile.fraction) + "</h3>";
     html += ProfileSvg(profile, recognition::FindTargetPoints(profile, scan, region, {}));
     if (const sensor::ProfileEvidence* evidence = EvidenceOf(run, profile)) {
       html += ThetaSvg(*evidence) + "<figcaption>" + Caption(*evidence) + "</figcaption>";

@@ -2,12 +2,10 @@
 
 namespace geon::cli {
 
-// The style sheet of a run's report: neutral, light or dark as the reader's system is.
+// The style sheet of a report: neutral and light.
 inline constexpr const char* kReportStyle = R"css(
 :root{--ink:#1c2126;--muted:#667079;--paper:#fbfbfa;--card:#fff;--line:#dfe2e4;--accent:#0b6e8f;
 --accent-soft:#0b6e8f2e;--good:#1d7f4b;--bad:#b3362c;--warm:#c0791b}
-@media (prefers-color-scheme:dark){:root{--ink:#e6e8ea;--muted:#98a1a9;--paper:#15181b;--card:#1d2125;
---line:#343a40;--accent:#58b7d8;--accent-soft:#58b7d833;--good:#5cc48d;--bad:#ef7d72;--warm:#e0a24f}}
 *{box-sizing:border-box}
 body{margin:0;background:var(--paper);color:var(--ink);font:15px/1.5 system-ui,sans-serif}
 main{max-width:1080px;margin:0 auto;padding:32px 20px 64px}
@@ -66,6 +64,13 @@ td,th{padding:5px 10px 5px 0;border-bottom:1px solid var(--line);vertical-align:
 th.number{text-align:right}
 .ok{color:var(--good)}.warn{color:var(--warm)}.fault{color:var(--bad)}
 footer{margin-top:44px;color:var(--muted);font-size:13px}
+)css";
+
+// After it: dark where the reader's system is. Not for figures that mean something by their
+// lightness.
+inline constexpr const char* kReportDarkStyle = R"css(
+@media (prefers-color-scheme:dark){:root{--ink:#e6e8ea;--muted:#98a1a9;--paper:#15181b;--card:#1d2125;
+--line:#343a40;--accent:#58b7d8;--accent-soft:#58b7d833;--good:#5cc48d;--bad:#ef7d72;--warm:#e0a24f}}
 )css";
 
 }  // namespace geon::cli

@@ -62,6 +62,10 @@ std::string DataUri(const std::string& mime_type, const std::vector<uint8_t>& by
   return uri;
 }
 
+std::string Fact(const std::string& value, const std::string& name) {
+  return "<div><b>" + value + "</b><span>" + name + "</span></div>";
+}
+
 Plot::Plot(double width_px, double height_px, const Eigen::Vector2d& low,
            const Eigen::Vector2d& high, bool equal_scale)
     : width_px_(width_px), height_px_(height_px), low_(low) {
@@ -111,6 +115,15 @@ void Plot::Dots(const std::vector<Eigen::Vector2d>& points, double radius_px,
 
 void Plot::Circle(const Eigen::Vector2d& centre, double radius, std::string_view css) {
   Dots({centre}, Length(radius), css);
+}
+
+void Plot::Rect(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::string_view css,
+                std::string_view title) {
+  const Eigen::Vector2d low_px = At(a).cwiseMin(At(b));
+  const Eigen::Vector2d size_px = (At(a) - At(b)).cwiseAbs();
+  body_ += "<rect" + Css(css) + Attribute("x", Px(low_px.x())) + Attribute("y", Px(low_px.y())) +
+           Attribute("width", Px(size_px.x())) + Attribute("height", Px(size_px.y()));
+  body_ += title.empty() ? "/>" : "><title>" + Escape(title) + "</title></rect>";
 }
 
 void Plot::Band(double low_y, double high_y, std::string_view css) {

@@ -17,6 +17,9 @@ std::string Fixed(double value, int decimals);
 // The bytes of a file as a data URI: "data:image/png;base64,...".
 std::string DataUri(const std::string& mime_type, const std::vector<uint8_t>& bytes);
 
+// A figure and what it counts, for a row of class `facts`: pieces of HTML both.
+std::string Fact(const std::string& value, const std::string& name);
+
 // A drawing area that maps world coordinates (y up) to pixels (y down).
 class Plot {
  public:
@@ -32,6 +35,9 @@ class Plot {
   void Polygon(const std::vector<Eigen::Vector2d>& points, std::string_view css);
   void Dots(const std::vector<Eigen::Vector2d>& points, double radius_px, std::string_view css);
   void Circle(const Eigen::Vector2d& centre, double radius, std::string_view css);  // world radius
+  // Two opposite corners; `title` is shown when the mouse rests on it.
+  void Rect(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::string_view css,
+            std::string_view title = "");
   void Band(double low_y, double high_y, std::string_view css);
   // `anchor` is start, middle or end; the offset is in pixels.
   void Text(const Eigen::Vector2d& at, const Eigen::Vector2d& offset_px, std::string_view anchor,

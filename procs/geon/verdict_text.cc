@@ -11,6 +11,10 @@ std::string PlainName(GeonLabel label) {
   return name;
 }
 
+std::string WithArticle(GeonLabel label) {
+  return (label == GeonLabel::kEllipsoid ? "an " : "a ") + PlainName(label);
+}
+
 std::string VerdictText(const sensor::GeonVerdict& verdict) {
   std::string text = PlainName(verdict.label) + " (confidence " +
                      std::to_string(std::lround(100.0 * verdict.confidence)) + " %" +

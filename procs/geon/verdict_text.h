@@ -11,5 +11,7 @@ std::string VerdictText(const sensor::GeonVerdict& verdict);
 
 // "tapered cylinder".
 std::string PlainName(GeonLabel label);
+// "a tapered cylinder", "an ellipsoid".
+std::string WithArticle(GeonLabel label);
 
 }  // namespace geon::cli

@@ -1,5 +1,6 @@
 #include "procs/geon/experiment_record.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/angles.h"
@@ -22,6 +23,10 @@ ShapeRecord Example(int first, int count) {
                              GeonLabel::kCuboid,
                              0.25,
                              t % 3 != 0});
+  }
+  for (const evaluation::ShapeTrial& trial : record.trials) {
+    const bool right = trial.answer == record.subjects[static_cast<size_t>(trial.subject)].truth;
+    AddWorstView({trial.t, right, trial.confidence, {}, {"because"}, {}}, &record.worst);
   }
   return record;
 }
@@ -58,7 +63,61 @@ TEST_F(ExperimentRecordTest, HoldsWhatTheContractAsksFor) {
   EXPECT_EQ(json.at("trials").size(), 6U);
   EXPECT_EQ(json.at("rates").at("all").at("right"), 3);
   EXPECT_NEAR(json.at("rates").at("mean_of_cells").get<double>(), 0.5, 1e-12);
-  EXPECT_TRUE(json.contains("seconds"));
+  EXPECT_TRUE(json.at("seconds").is_null());
+}
+
+TEST_F(ExperimentRecordTest, HoldsHowFarTheConfidenceIsToBeBelieved) {
+  const auto json = nlohmann::json::parse(RecordText(Example(0, 6)));
+  const auto& rates = json.at("rates");
+  EXPECT_EQ(rates.at("classes").at("cuboid").at("n"), 3);
+  ASSERT_EQ(rates.at("rows").size(), 2U);
+  EXPECT_EQ(rates.at("rows")[1].at("truth"), "ellipsoid");
+  EXPECT_EQ(rates.at("rows")[1].at("object"), "2");
+  EXPECT_EQ(rates.at("rows")[1].at("right"), 0);
+  EXPECT_EQ(rates.at("rows")[1].at("wilson95").size(), 2U);
+  ASSERT_EQ(rates.at("elevations").size(), 1U);
+  EXPECT_EQ(rates.at("elevations")[0].at("elevation_deg"), 35);
+  EXPECT_EQ(rates.at("elevations")[0].at("n"), 6);
+  EXPECT_EQ(rates.at("decided").at("decided"), 4);
+  EXPECT_EQ(rates.at("decided").at("n"), 6);
+  EXPECT_EQ(rates.at("decided_right").at("right"), 2);  // trials 2 and 4
+  EXPECT_EQ(rates.at("decided_right").at("n"), 4);
+  EXPECT_NEAR(rates.at("expected_calibration_error").get<double>(), 0.25, 1e-12);
+  ASSERT_EQ(rates.at("reliability").size(), 15U);
+  EXPECT_EQ(rates.at("reliability")[3].at("n"), 6);
+  EXPECT_EQ(rates.at("reliability")[3].at("mean_confidence"), 0.25);
+  EXPECT_TRUE(rates.at("reliability")[0].at("mean_confidence").is_null());
+}
+
+TEST_F(ExperimentRecordTest, KeepsTheWorstOfAllShards) {
+  const auto joined = MergeRecords({Example(20, 20), Example(0, 20)});
+  ASSERT_TRUE(joined.ok()) << joined.message();
+  EXPECT_EQ(RecordText(*joined), RecordText(Example(0, 40)));
+  ASSERT_EQ(joined->worst.size(), kMostWorstViews);
+  EXPECT_EQ(joined->worst.front().t, 1);  // the first ellipsoid called a cuboid
+}
+
+TEST_F(ExperimentRecordTest, RecordsWithoutViewsAreReadToo) {
+  auto json = nlohmann::json::parse(RecordText(Example(0, 6)));
+  json.erase("worst");
+  std::filesystem::create_directories(folder_);
+  const std::filesystem::path file = folder_ / "results.json";
+  ASSERT_TRUE(config::WriteFileAtomically(file, json.dump()).ok());
+  const auto record = LoadRecord(file);
+  ASSERT_TRUE(record.ok()) << record.message();
+  EXPECT_TRUE(record->worst.empty());
+  json["worst"] = {{{"t", 99}, {"posterior", {}}, {"reasons", {}}, {"stripes", {}}}};
+  ASSERT_TRUE(config::WriteFileAtomically(file, json.dump()).ok());
+  EXPECT_FALSE(LoadRecord(file).ok());
+}
+
+TEST_F(ExperimentRecordTest, ConfidenceBeyondCertaintyIsDamage) {
+  auto json = nlohmann::json::parse(RecordText(Example(0, 6)));
+  json["trials"][2]["confidence"] = 1.5;
+  std::filesystem::create_directories(folder_);
+  const std::filesystem::path file = folder_ / "results.json";
+  ASSERT_TRUE(config::WriteFileAtomically(file, json.dump()).ok());
+  EXPECT_THAT(LoadRecord(file).message(), testing::HasSubstr("within 0 and 1"));
 }
 
 TEST_F(ExperimentRecordTest, ShardsOfDifferentExperimentsAreNotMerged) {

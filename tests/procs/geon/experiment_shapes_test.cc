@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geons/polygon_geon.h"
+#include "procs/geon/experiment_page.h"
 #include "procs/geon/experiment_record.h"
 #include "recognition/recognize_geon.h"
 
@@ -25,17 +26,21 @@ ShapeRecord Record(Shard shard, int jobs) {
   for (const ShownObject& object : objects) record.subjects.push_back(object.subject);
   std::vector<evaluation::ViewingCell> sphere = evaluation::ViewingSphere();
   sphere.resize(9);
-  record.trials = RunShapeTrials(
+  ShapeRun run = RunShapeTrials(
       objects, sphere, {},
       [](const sensor::ScanSet& scan) { return recognition::RecognizeGeon(scan, {}); }, shard,
       jobs);
+  record.trials = std::move(run.trials);
+  record.worst = std::move(run.worst);
   return record;
 }
 
 TEST(RunShapeTrials, JobsDoNotChangeAByte) {
   const ShapeRecord one = Record({1, 1}, 1);
   EXPECT_EQ(one.trials.size(), 18U);
-  EXPECT_EQ(RecordText(Record({1, 1}, 3)), RecordText(one));
+  const ShapeRecord three = Record({1, 1}, 3);
+  EXPECT_EQ(RecordText(three), RecordText(one));
+  EXPECT_EQ(ExperimentPage(three), ExperimentPage(one));
 }
 
 TEST(RunShapeTrials, ShardsJoinedAreTheWholeInAnyOrder) {
@@ -43,14 +48,17 @@ TEST(RunShapeTrials, ShardsJoinedAreTheWholeInAnyOrder) {
   for (int index : {3, 1, 2}) shards.push_back(Record({index, 3}, 1));
   const Result<ShapeRecord> joined = MergeRecords(shards);
   ASSERT_TRUE(joined.ok()) << joined.message();
-  EXPECT_EQ(RecordText(*joined), RecordText(Record({1, 1}, 1)));
+  const ShapeRecord whole = Record({1, 1}, 1);
+  EXPECT_FALSE(whole.worst.empty());
+  EXPECT_EQ(RecordText(*joined), RecordText(whole));
+  EXPECT_EQ(ExperimentPage(*joined), ExperimentPage(whole));
 }
 
 // With shuffled labels a recogniser is right by chance: the path from file to rate leaks nothing.
 TEST(RunShapeTrials, ARecognizerThatDoesNotLookIsRightByChance) {
   int answer = 0;
   std::vector<ShownObject> objects = TwoObjects();
-  const auto trials = RunShapeTrials(
+  const ShapeRun run = RunShapeTrials(
       objects, evaluation::ViewingSphere(), {},
       [&answer](const sensor::ScanSet& scan) {
         EXPECT_FALSE(scan.truth.has_value());
@@ -60,7 +68,7 @@ TEST(RunShapeTrials, ARecognizerThatDoesNotLookIsRightByChance) {
       },
       {}, 1);
   std::vector<evaluation::Subject> subjects = {objects[0].subject, objects[1].subject};
-  const auto rate = evaluation::OverallRate(evaluation::CountAnswers(subjects, trials));
+  const auto rate = evaluation::OverallRate(evaluation::CountAnswers(subjects, run.trials));
   EXPECT_NEAR(rate.value_1(), 1.0 / 7.0, 0.01);
 }
 

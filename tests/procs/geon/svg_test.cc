@@ -37,5 +37,16 @@ TEST(Plot, DrawsWhatItIsGiven) {
                              testing::HasSubstr("&lt;x&gt;"), testing::HasSubstr("a &lt;map&gt;")));
 }
 
+TEST(Plot, RectanglesMayTellWhatTheyAre) {
+  Plot plot(10, 20, {0, 0}, {1, 1}, false);
+  plot.Rect({1, 1}, {0.5, 0}, "bin", "3 < 4");
+  plot.Rect({0, 0}, {1, 1}, "frame");
+  EXPECT_THAT(
+      plot.Svg(""),
+      testing::AllOf(testing::HasSubstr("x=\"5.0\" y=\"0.0\" width=\"5.0\" height=\"20.0\"><title>"
+                                        "3 &lt; 4</title></rect>"),
+                     testing::HasSubstr("height=\"20.0\"/>")));
+}
+
 }  // namespace
 }  // namespace geon::cli
