@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace geon {
 
@@ -18,6 +19,13 @@ inline void Require(bool condition, const std::string& message) {
 }
 inline void Require(bool condition, const char* message) {
   if (!condition) throw ContractViolation(message);
+}
+// The same for a number called `name`; the message is made only when it is needed.
+template <typename Number>
+void Require(bool condition, std::string_view name, Number value, std::string_view rule) {
+  if (condition) return;
+  throw ContractViolation(std::string(name) + " is " + std::to_string(value) + ", " +
+                          std::string(rule));
 }
 
 }  // namespace geon

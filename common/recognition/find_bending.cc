@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "base/contracts.h"
 
@@ -51,10 +50,8 @@ void AddConcaveEdges(std::span<const ProfileEnds> ends, int across, const Bendin
 }  // namespace
 
 void BendingOptions::Validate() const {
-  Require(concave_edge_m > 0.0,
-          "concave_edge_m is " + std::to_string(concave_edge_m) + ", must be positive");
-  Require(concave_edge_1 >= 0.0,
-          "concave_edge_1 is " + std::to_string(concave_edge_1) + ", must not be negative");
+  Require(concave_edge_m > 0.0, "concave_edge_m", concave_edge_m, "must be positive");
+  Require(concave_edge_1 >= 0.0, "concave_edge_1", concave_edge_1, "must not be negative");
 }
 
 sensor::BendingEvidence FindBending(std::span<const sensor::ProfileEvidence> profiles,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "base/contracts.h"
 
@@ -50,9 +49,8 @@ double Asymmetry(std::span<const ProfileEnds> ends, int across) {
 
 void TaperingOptions::Validate() const {
   const auto check = [](const TaperingTolerance& tolerance, const char* name) {
-    Require(tolerance.absolute_m >= 0.0 && tolerance.relative_1 >= 0.0,
-            std::string(name) + " is " + std::to_string(tolerance.absolute_m) + " m + " +
-                std::to_string(tolerance.relative_1) + " of the length, must not be negative");
+    Require(tolerance.absolute_m >= 0.0, name, tolerance.absolute_m, "must not be negative");
+    Require(tolerance.relative_1 >= 0.0, name, tolerance.relative_1, "must not be negative");
   };
   check(horizontal_length, "horizontal_length");
   check(vertical_length, "vertical_length");

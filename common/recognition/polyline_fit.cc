@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "base/angles.h"
@@ -32,15 +31,11 @@ struct Run {
 }  // namespace
 
 void PolylineOptions::Validate() const {
-  Require(tolerance_m > 0.0,
-          "polyline tolerance_m is " + std::to_string(tolerance_m) + ", must be positive");
-  Require(straight_rad > 0.0 && straight_rad < corner_rad,
-          "straight_rad is " + std::to_string(straight_rad) +
-              ", must be positive and below corner_rad " + std::to_string(corner_rad));
-  Require(curve_step_1 > 0.0,
-          "curve_step_1 is " + std::to_string(curve_step_1) + ", must be positive");
-  Require(concave_rad > 0.0,
-          "concave_rad is " + std::to_string(concave_rad) + ", must be positive");
+  Require(tolerance_m > 0.0, "polyline tolerance_m", tolerance_m, "must be positive");
+  Require(straight_rad > 0.0 && straight_rad < corner_rad, "straight_rad", straight_rad,
+          "must be positive and below corner_rad");
+  Require(curve_step_1 > 0.0, "curve_step_1", curve_step_1, "must be positive");
+  Require(concave_rad > 0.0, "concave_rad", concave_rad, "must be positive");
 }
 
 std::vector<int> RamerVertices(std::span<const Eigen::Vector2d> curve_m, double tolerance_m) {

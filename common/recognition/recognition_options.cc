@@ -1,7 +1,5 @@
 #include "recognition/recognition_options.h"
 
-#include <string>
-
 #include "base/contracts.h"
 
 namespace geon::recognition {
@@ -39,8 +37,7 @@ void RecognitionOptions::Validate() const {
   bending.Validate();
   tapering.Validate();
   const int shortest = 2 * difference_of_slope.window + difference_of_slope.gap;
-  Require(samples > shortest, "samples is " + std::to_string(samples) +
-                                  ", must exceed 2 W + M = " + std::to_string(shortest));
+  Require(samples > shortest, "samples", samples, "must exceed 2 W + M");
 }
 
 }  // namespace geon::recognition

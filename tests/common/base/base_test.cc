@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/angles.h"
+#include "base/contracts.h"
 #include "base/geon_label.h"
 #include "base/status.h"
 #include "base/time.h"
@@ -28,6 +29,16 @@ TEST(ResultTest, MovesItsValueOut) {
   Result<std::string> good = std::string("abc");
   EXPECT_EQ(*good, "abc");
   EXPECT_EQ(std::move(good).value(), "abc");
+}
+
+TEST(ContractsTest, ABrokenRuleNamesTheNumberThatBrokeIt) {
+  EXPECT_NO_THROW(Require(true, "gap", 3, "must not be negative"));
+  try {
+    Require(false, "gap", -1, "must not be negative");
+    FAIL() << "did not throw";
+  } catch (const ContractViolation& violation) {
+    EXPECT_STREQ(violation.what(), "gap is -1, must not be negative");
+  }
 }
 
 TEST(AnglesTest, WrapStaysWithinHalfATurn) {
