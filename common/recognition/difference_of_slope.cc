@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "base/angles.h"
 #include "base/contracts.h"
 
 namespace geon::recognition {
@@ -26,42 +24,51 @@ std::vector<Moments> CumulativeMoments(std::span<const Eigen::Vector2d> curve_m)
   return sums;
 }
 
-// Direction of the total-least-squares line through each `window` successive points, along the
-// walk.
-std::vector<double> FittedDirections(std::span<const Eigen::Vector2d> curve_m, size_t window) {
+// Direction, of any length, of the total-least-squares line through points with the scatter
+// (xx, xy; xy, yy): twice its angle is that of (xx - yy, 2 xy), which is halved without an angle.
+Eigen::Vector2d LineDirection(double xx, double xy, double yy) {
+  const double cosine = xx - yy, sine = 2.0 * xy;
+  const double length = std::sqrt(cosine * cosine + sine * sine);
+  if (length == 0.0) return Eigen::Vector2d::UnitX();
+  return cosine >= 0.0 ? Eigen::Vector2d(length + cosine, sine)
+                       : Eigen::Vector2d(std::abs(sine), std::copysign(length - cosine, sine));
+}
+
+// Direction of the line through each `window` successive points, along the walk.
+std::vector<Eigen::Vector2d> FittedDirections(std::span<const Eigen::Vector2d> curve_m,
+                                              size_t window) {
   const std::vector<Moments> sums = CumulativeMoments(curve_m);
-  const double n = static_cast<double>(window);
-  std::vector<double> directions_rad;
-  for (size_t begin = 0; begin + window <= curve_m.size(); ++begin) {
+  const double share = 1.0 / static_cast<double>(window);
+  std::vector<Eigen::Vector2d> directions(curve_m.size() + 1 - window);
+  for (size_t begin = 0; begin < directions.size(); ++begin) {
     const Moments& a = sums[begin];
     const Moments& b = sums[begin + window];
     const double x = b.x - a.x, y = b.y - a.y;
-    const double xx = b.xx - a.xx - x * x / n;
-    const double xy = b.xy - a.xy - x * y / n;
-    const double yy = b.yy - a.yy - y * y / n;
-    const double angle_rad = 0.5 * std::atan2(2.0 * xy, xx - yy);
+    const Eigen::Vector2d line = LineDirection(
+        b.xx - a.xx - share * x * x, b.xy - a.xy - share * x * y, b.yy - a.yy - share * y * y);
     const Eigen::Vector2d walk = curve_m[begin + window - 1] - curve_m[begin];
-    const bool backwards = std::cos(angle_rad) * walk.x() + std::sin(angle_rad) * walk.y() < 0.0;
-    directions_rad.push_back(backwards ? angle_rad + kPi : angle_rad);
+    directions[begin] = line.dot(walk) < 0.0 ? Eigen::Vector2d(-line) : line;
   }
-  return directions_rad;
+  return directions;
+}
+
+// By how much the walk turns clockwise from direction a to direction b.
+double ClockwiseTurn(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  const double cross = a.y() * b.x() - a.x() * b.y(), dot = a.dot(b);
+  return dot > std::abs(cross) ? std::atan(cross / dot) : std::atan2(cross, dot);
 }
 
 }  // namespace
 
 void DifferenceOfSlopeOptions::Validate() const {
-  Require(window >= 2, "W is " + std::to_string(window) + ", must be at least 2");
-  Require(gap >= 0, "M is " + std::to_string(gap) + ", must not be negative");
-  Require(curve_width >= 1, "curve_width is " + std::to_string(curve_width) + ", must be positive");
-  Require(zero_range_rad > 0.0 && zero_range_rad < corner_rad,
-          "zero_range_rad is " + std::to_string(zero_range_rad) +
-              ", must be positive and below corner_rad " + std::to_string(corner_rad));
-  Require(concave_rad > 0.0,
-          "concave_rad is " + std::to_string(concave_rad) + ", must be positive");
-  Require(concave_width >= 0,
-          "concave_width is " + std::to_string(concave_width) + ", must not be negative");
-  Require(concave_noise_1 >= 0.0,
-          "concave_noise_1 is " + std::to_string(concave_noise_1) + ", must not be negative");
+  Require(window >= 2, "W", window, "must be at least 2");
+  Require(gap >= 0, "M", gap, "must not be negative");
+  Require(curve_width >= 1, "curve_width", curve_width, "must be positive");
+  Require(zero_range_rad > 0.0 && zero_range_rad < corner_rad, "zero_range_rad", zero_range_rad,
+          "must be positive and below corner_rad");
+  Require(concave_rad > 0.0, "concave_rad", concave_rad, "must be positive");
+  Require(concave_width >= 0, "concave_width", concave_width, "must not be negative");
+  Require(concave_noise_1 >= 0.0, "concave_noise_1", concave_noise_1, "must not be negative");
 }
 
 ThetaPlot ComputeThetaPlot(std::span<const Eigen::Vector2d> curve_m,
@@ -72,9 +79,10 @@ ThetaPlot ComputeThetaPlot(std::span<const Eigen::Vector2d> curve_m,
   const size_t length = 2 * window + gap;
   plot.first = options.window + options.gap / 2;
   if (curve_m.size() < length) return plot;
-  const std::vector<double> directions_rad = FittedDirections(curve_m, window);
-  for (size_t i = 0; i + window + gap < directions_rad.size(); ++i) {
-    plot.theta_rad.push_back(WrapAngle(directions_rad[i] - directions_rad[i + window + gap]));
+  const std::vector<Eigen::Vector2d> directions = FittedDirections(curve_m, window);
+  plot.theta_rad.resize(curve_m.size() + 1 - length);
+  for (size_t i = 0; i < plot.theta_rad.size(); ++i) {
+    plot.theta_rad[i] = ClockwiseTurn(directions[i], directions[i + window + gap]);
   }
   return plot;
 }

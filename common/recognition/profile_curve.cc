@@ -18,90 +18,106 @@ sensor::RangeProfile Part(const sensor::RangeProfile& profile, size_t begin, siz
   return part;
 }
 
-double Extent(const sensor::RangeProfile& part) {
-  return (part.p_L_m.back() - part.p_L_m.front()).norm();
-}
-
-// Mean of the curve between the arc lengths `begin_m` and `end_m`: the integral of its straight
-// pieces. `piece` is the first piece that may reach past begin_m; it moves on with the walk.
-Eigen::Vector2d MeanOverArc(std::span<const Eigen::Vector2d> curve_m,
-                            const std::vector<double>& arc_m, double begin_m, double end_m,
-                            size_t* piece) {
-  Eigen::Vector2d integral = Eigen::Vector2d::Zero();
-  double covered_m = 0.0;
-  while (*piece + 2 < arc_m.size() && arc_m[*piece + 1] <= begin_m) ++*piece;
-  for (size_t k = *piece; k + 1 < arc_m.size() && arc_m[k] < end_m; ++k) {
-    const double length_m = arc_m[k + 1] - arc_m[k];
-    const double from_m = std::max(begin_m, arc_m[k]);
-    const double to_m = std::min(end_m, arc_m[k + 1]);
-    if (length_m <= 0.0 || to_m <= from_m) continue;
-    const double t = (0.5 * (from_m + to_m) - arc_m[k]) / length_m;
-    integral += (to_m - from_m) * (curve_m[k] + t * (curve_m[k + 1] - curve_m[k]));
-    covered_m += to_m - from_m;
-  }
-  return covered_m > 0.0 ? Eigen::Vector2d(integral / covered_m) : curve_m[*piece];
+double Extent(std::span<const Eigen::Vector3d> p_L_m, PointRange range) {
+  return (p_L_m[range.end - 1] - p_L_m[range.begin]).norm();
 }
 
 }  // namespace
 
 void SegmentOptions::Validate() const {
-  Require(split_m > 0.0, "split_m is " + std::to_string(split_m) + ", must be positive");
-  Require(shortest_m >= 0.0,
-          "shortest_m is " + std::to_string(shortest_m) + ", must not be negative");
-  Require(shortest_share_1 >= 0.0 && shortest_share_1 < 1.0,
-          "shortest_share_1 is " + std::to_string(shortest_share_1) + ", must be in [0, 1)");
-  Require(fewest_points >= 2,
-          "fewest_points is " + std::to_string(fewest_points) + ", must be at least 2");
+  Require(split_m > 0.0, "split_m", split_m, "must be positive");
+  Require(shortest_m >= 0.0, "shortest_m", shortest_m, "must not be negative");
+  Require(shortest_share_1 >= 0.0 && shortest_share_1 < 1.0, "shortest_share_1", shortest_share_1,
+          "must be in [0, 1)");
+  Require(fewest_points >= 2, "fewest_points", fewest_points, "must be at least 2");
+}
+
+std::vector<PointRange> FindSegments(std::span<const Eigen::Vector3d> p_L_m,
+                                     const SegmentOptions& options) {
+  std::vector<PointRange> segments;
+  double longest_m = 0.0;
+  size_t begin = 0;
+  for (size_t i = 0; i < p_L_m.size(); ++i) {
+    const bool last = i + 1 == p_L_m.size();
+    if (!last && (p_L_m[i + 1] - p_L_m[i]).norm() <= options.split_m) continue;
+    segments.push_back({begin, i + 1});
+    longest_m = std::max(longest_m, Extent(p_L_m, segments.back()));
+    begin = i + 1;
+  }
+  const double shortest_m = std::max(options.shortest_m, options.shortest_share_1 * longest_m);
+  std::erase_if(segments, [&](PointRange part) {
+    return static_cast<int>(part.size()) < options.fewest_points ||
+           Extent(p_L_m, part) < shortest_m;
+  });
+  return segments;
 }
 
 std::vector<sensor::RangeProfile> SplitIntoSegments(const sensor::RangeProfile& profile,
                                                     const SegmentOptions& options) {
   std::vector<sensor::RangeProfile> segments;
-  double longest_m = 0.0;
-  size_t begin = 0;
-  for (size_t i = 0; i < profile.pixel.size(); ++i) {
-    const bool last = i + 1 == profile.pixel.size();
-    if (!last && (profile.p_L_m[i + 1] - profile.p_L_m[i]).norm() <= options.split_m) continue;
-    segments.push_back(Part(profile, begin, i + 1));
-    longest_m = std::max(longest_m, Extent(segments.back()));
-    begin = i + 1;
+  for (const PointRange& range : FindSegments(profile.p_L_m, options)) {
+    segments.push_back(Part(profile, range.begin, range.end));
   }
-  const double shortest_m = std::max(options.shortest_m, options.shortest_share_1 * longest_m);
-  std::erase_if(segments, [&](const sensor::RangeProfile& part) {
-    return static_cast<int>(part.pixel.size()) < options.fewest_points || Extent(part) < shortest_m;
-  });
   return segments;
 }
 
-std::vector<Eigen::Vector2d> PlaneCurve(const sensor::RangeProfile& profile,
+std::vector<Eigen::Vector2d> PlaneCurve(std::span<const Eigen::Vector3d> p_L_m, sensor::Laser laser,
                                         const Eigen::Matrix3d& R_LB) {
-  const Eigen::Vector3d along_L =
-      profile.laser == sensor::Laser::kVertical ? R_LB.col(1) : R_LB.col(0);
-  std::vector<Eigen::Vector2d> curve_m;
-  curve_m.reserve(profile.p_L_m.size());
-  for (const Eigen::Vector3d& p_L : profile.p_L_m) {
-    curve_m.emplace_back(along_L.dot(p_L), -R_LB.col(2).dot(p_L));
+  const Eigen::Vector3d along_L = R_LB.col(laser == sensor::Laser::kVertical ? 1 : 0);
+  const Eigen::Vector3d forward_L = R_LB.col(2);
+  std::vector<Eigen::Vector2d> curve_m(p_L_m.size());
+  for (size_t i = 0; i < p_L_m.size(); ++i) {
+    curve_m[i] = {along_L.dot(p_L_m[i]), -forward_L.dot(p_L_m[i])};
   }
   return curve_m;
 }
 
+std::vector<Eigen::Vector2d> PlaneCurve(const sensor::RangeProfile& profile,
+                                        const Eigen::Matrix3d& R_LB) {
+  return PlaneCurve(profile.p_L_m, profile.laser, R_LB);
+}
+
 std::vector<Eigen::Vector2d> ResampleEqualArc(std::span<const Eigen::Vector2d> curve_m,
                                               int samples) {
-  Require(samples >= 2,
-          "ResampleEqualArc needs at least 2 samples, got " + std::to_string(samples));
+  return ResampleEqualArc(curve_m, ArcLengths(curve_m), samples);
+}
+
+std::vector<Eigen::Vector2d> ResampleEqualArc(std::span<const Eigen::Vector2d> curve_m,
+                                              std::span<const double> arc_m, int samples) {
+  Require(samples >= 2, "the number of samples", samples, "must be at least 2");
   Require(curve_m.size() >= 2, "ResampleEqualArc needs at least 2 points");
+  const double step_m = arc_m.back() / samples;
+  std::vector<Eigen::Vector2d> resampled_m(static_cast<size_t>(samples), curve_m[0]);
+  if (!(step_m > 0.0)) return resampled_m;
+  // One walk: `from` is where it has come to, at the arc length from_m, on the way to point `next`.
+  size_t next = 1;
+  double from_m = 0.0;
+  Eigen::Vector2d from = curve_m[0];
+  for (size_t k = 0; k < resampled_m.size(); ++k) {
+    const double end_m = static_cast<double>(k + 1) * step_m;
+    Eigen::Vector2d doubled_integral = Eigen::Vector2d::Zero();
+    while (next + 1 < curve_m.size() && arc_m[next] < end_m) {
+      doubled_integral += (arc_m[next] - from_m) * (from + curve_m[next]);
+      from_m = arc_m[next];
+      from = curve_m[next++];
+    }
+    const double piece_m = arc_m[next] - from_m;
+    const double t = piece_m > 0.0 ? (end_m - from_m) / piece_m : 0.0;
+    const Eigen::Vector2d end = from + t * (curve_m[next] - from);
+    doubled_integral += (end_m - from_m) * (from + end);
+    resampled_m[k] = doubled_integral * (0.5 / step_m);
+    from_m = end_m;
+    from = end;
+  }
+  return resampled_m;
+}
+
+std::vector<double> ArcLengths(std::span<const Eigen::Vector2d> curve_m) {
   std::vector<double> arc_m(curve_m.size(), 0.0);
   for (size_t i = 1; i < curve_m.size(); ++i) {
     arc_m[i] = arc_m[i - 1] + (curve_m[i] - curve_m[i - 1]).norm();
   }
-  const double step_m = arc_m.back() / samples;
-  std::vector<Eigen::Vector2d> resampled_m;
-  resampled_m.reserve(static_cast<size_t>(samples));
-  size_t piece = 0;
-  for (int k = 0; k < samples; ++k) {
-    resampled_m.push_back(MeanOverArc(curve_m, arc_m, k * step_m, (k + 1) * step_m, &piece));
-  }
-  return resampled_m;
+  return arc_m;
 }
 
 double ArcLength(std::span<const Eigen::Vector2d> curve_m) {

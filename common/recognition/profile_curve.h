@@ -21,7 +21,17 @@ struct SegmentOptions {
   void Validate() const;  // throws ContractViolation
 };
 
+// The points [begin, end) of a run.
+struct PointRange {
+  size_t begin = 0;
+  size_t end = 0;
+  size_t size() const { return end - begin; }
+};
+
 // The parts of a profile that hang together, in the order of its pixels (figure 5.10).
+std::vector<PointRange> FindSegments(std::span<const Eigen::Vector3d> p_L_m,
+                                     const SegmentOptions& options);
+// The same as profiles of their own.
 std::vector<sensor::RangeProfile> SplitIntoSegments(const sensor::RangeProfile& profile,
                                                     const SegmentOptions& options);
 
@@ -29,6 +39,8 @@ std::vector<sensor::RangeProfile> SplitIntoSegments(const sensor::RangeProfile& 
 // camera for a horizontal stripe, y for a vertical one), ordinate towards the camera (-z), metres.
 // Walked in the order of its pixels a convex surface turns clockwise.
 std::vector<Eigen::Vector2d> PlaneCurve(const sensor::RangeProfile& profile,
+                                        const Eigen::Matrix3d& R_LB);
+std::vector<Eigen::Vector2d> PlaneCurve(std::span<const Eigen::Vector3d> p_L_m, sensor::Laser laser,
                                         const Eigen::Matrix3d& R_LB);
 
 // `samples` points at equal steps of arc length, each the mean of the curve over its own step.
@@ -38,7 +50,12 @@ std::vector<Eigen::Vector2d> PlaneCurve(const sensor::RangeProfile& profile,
 // profile, whatever the distance and the camera's resolution.
 std::vector<Eigen::Vector2d> ResampleEqualArc(std::span<const Eigen::Vector2d> curve_m,
                                               int samples);
+// The same when the curve's ArcLengths are known.
+std::vector<Eigen::Vector2d> ResampleEqualArc(std::span<const Eigen::Vector2d> curve_m,
+                                              std::span<const double> arc_m, int samples);
 
+// From the first point to each point along the curve, and to the last one.
+std::vector<double> ArcLengths(std::span<const Eigen::Vector2d> curve_m);
 double ArcLength(std::span<const Eigen::Vector2d> curve_m);
 
 }  // namespace geon::recognition

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
-#include "sensor/scan_set.h"
+#include "recognition/target_profile.h"
 
 namespace geon::recognition {
 
@@ -18,12 +19,12 @@ struct ProfileEnds {
   double length_m = 0.0;      // of the stripe between them: along x, or along y
 };
 
-// The ends of all horizontal (or vertical) profiles that have points, by rising fraction.
-// `profiles` are background-free, `p_LB_m` and `R_LB` are the B/W camera in frame L.
+// The ends of all horizontal (or vertical) profiles that show the target, by rising fraction.
+// `p_LB_m` and `R_LB` are the B/W camera in frame L.
 //
 // Lengths are taken across the image, like the distances of figure 5.15: a length in space would
 // grow where a stripe runs in depth.
-std::vector<ProfileEnds> FindProfileEnds(const std::vector<sensor::RangeProfile>& profiles,
+std::vector<ProfileEnds> FindProfileEnds(std::span<const TargetProfile> profiles,
                                          sensor::Laser laser, const Eigen::Vector3d& p_LB_m,
                                          const Eigen::Matrix3d& R_LB);
 

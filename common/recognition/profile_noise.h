@@ -1,10 +1,18 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
+#include <vector>
 
 #include "sensor/scan_set.h"
 
 namespace geon::recognition {
+
+// Depths of points along z of the B/W camera, which stands at `p_LB_m` with axes `R_LB`, metres.
+//
+// Source: the quantity that the rangefinder measures for each pixel, thesis (3.7-3.9).
+std::vector<double> ProfileDepths(std::span<const Eigen::Vector3d> p_L_m,
+                                  const Eigen::Vector3d& p_LB_m, const Eigen::Matrix3d& R_LB);
 
 // Standard deviation of a profile's depth (z of the B/W camera) from pixel to pixel, in metres,
 // measured on the profile itself before smoothing.
@@ -15,5 +23,7 @@ namespace geon::recognition {
 // not moved by edges and spikes. 0 when fewer than four neighbouring pixels are there.
 double DepthNoise(const sensor::RangeProfile& profile, const Eigen::Vector3d& p_LB_m,
                   const Eigen::Matrix3d& R_LB);
+// The same when the depths are known: one for each of `pixel`.
+double DepthNoise(std::span<const int> pixel, std::span<const double> depth_m);
 
 }  // namespace geon::recognition

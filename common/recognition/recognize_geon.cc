@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "base/contracts.h"
 #include "recognition/decide_geon.h"
 #include "recognition/explain_evidence.h"
 #include "recognition/geon_forest.h"
 #include "recognition/measure_evidence.h"
-#include "recognition/profile_noise.h"
+#include "recognition/target_profile.h"
 
 namespace geon::recognition {
 namespace {
@@ -20,48 +19,27 @@ using sensor::RangeProfile;
 
 void CheckScan(const sensor::ScanSet& scan) {
   for (const RangeProfile& profile : scan.profiles) {
-    Require(profile.pixel.size() == profile.p_L_m.size(),
-            "profile " + std::to_string(profile.stripe_index) + " has " +
-                std::to_string(profile.pixel.size()) + " pixels and " +
-                std::to_string(profile.p_L_m.size()) + " points");
+    Require(profile.pixel.size() == profile.p_L_m.size(), "a profile's number of pixels",
+            profile.pixel.size(), "must be that of its points");
   }
 }
 
-// One profile on the target, split where it does not hang together.
-struct TargetProfile {
-  double noise_m = 0.0;  // of its depths before smoothing
-  RangeProfile profile;  // from the first point of the first segment to the last of the last
-  std::vector<RangeProfile> segments;
+// A segment in its plane and the arc length to each of its points.
+struct SegmentCurve {
+  std::vector<Eigen::Vector2d> curve_m;
+  std::vector<double> arc_m;
 };
-
-TargetProfile FindTarget(const RangeProfile& profile, const sensor::ScanSet& scan,
-                         const std::optional<VerticalRegion>& region,
-                         const RecognitionOptions& options) {
-  TargetProfile target;
-  target.profile = RemoveBackground(profile, scan, region, options.background);
-  target.segments = SplitIntoSegments(target.profile, options.segments);
-  target.profile.pixel.clear();
-  target.profile.p_L_m.clear();
-  for (const RangeProfile& segment : target.segments) {
-    auto& pixel = target.profile.pixel;
-    auto& p_L_m = target.profile.p_L_m;
-    pixel.insert(pixel.end(), segment.pixel.begin(), segment.pixel.end());
-    p_L_m.insert(p_L_m.end(), segment.p_L_m.begin(), segment.p_L_m.end());
-  }
-  target.profile.on_target = static_cast<int32_t>(target.profile.pixel.size());
-  return target;
-}
 
 // Adds what one segment shows to the evidence of its profile; `offset_m` is the arc length before
 // it.
-void DescribeSegment(const std::vector<Eigen::Vector2d>& curve_m, double noise_m, int samples,
-                     double offset_m, const RecognitionOptions& options,
-                     ProfileEvidence* evidence) {
-  const std::vector<Eigen::Vector2d> even_m = ResampleEqualArc(curve_m, samples);
+void DescribeSegment(const SegmentCurve& segment, double noise_m, int samples, double offset_m,
+                     const RecognitionOptions& options, ProfileEvidence* evidence) {
+  const std::vector<Eigen::Vector2d> even_m =
+      ResampleEqualArc(segment.curve_m, segment.arc_m, samples);
   const double step_m = ArcLength(even_m) / std::max(samples - 1, 1);
   ThetaPlot plot = ComputeThetaPlot(even_m, options.difference_of_slope);
-  plot.noise_rad = ThetaNoise(noise_m, static_cast<double>(curve_m.size()) / samples, step_m,
-                              options.difference_of_slope);
+  plot.noise_rad = ThetaNoise(noise_m, static_cast<double>(segment.curve_m.size()) / samples,
+                              step_m, options.difference_of_slope);
   for (size_t i = 0; i < plot.theta_rad.size(); ++i) {
     evidence->arc_length_m.push_back(offset_m + (plot.first + static_cast<double>(i)) * step_m);
     evidence->theta_rad.push_back(plot.theta_rad[i]);
@@ -87,29 +65,32 @@ void DescribeSegment(const std::vector<Eigen::Vector2d>& curve_m, double noise_m
 
 ProfileEvidence DescribeProfile(const TargetProfile& target, const sensor::ScanSet& scan,
                                 const RecognitionOptions& options) {
-  const Eigen::Matrix3d R_LB = target.profile.rotation_LB.value_or(scan.rotation_LB);
   ProfileEvidence evidence;
-  evidence.laser = target.profile.laser;
-  evidence.fraction = target.profile.fraction;
-  evidence.points = target.profile.on_target;
+  evidence.laser = target.laser;
+  evidence.fraction = target.fraction;
   evidence.segments = static_cast<int>(target.segments.size());
   if (target.segments.empty()) return evidence;
-  const Eigen::Vector3d along_L = scan.rotation_LB.col(evidence.laser == Laser::kVertical ? 1 : 0);
-  evidence.length_m =
-      std::abs(along_L.dot(target.profile.p_L_m.back() - target.profile.p_L_m.front()));
+  const Eigen::Vector3d along_L = scan.rotation_LB.col(target.laser == Laser::kVertical ? 1 : 0);
+  evidence.length_m = std::abs(along_L.dot(target.last_L() - target.first_L()));
 
-  std::vector<std::vector<Eigen::Vector2d>> curves_m;
+  std::vector<SegmentCurve> segments;
   double total_m = 0.0;
-  for (const RangeProfile& segment : target.segments) {
-    curves_m.push_back(PlaneCurve(segment, R_LB));
-    total_m += ArcLength(curves_m.back());
+  for (const PointRange& range : target.segments) {
+    evidence.points += static_cast<int>(range.size());
+    const auto points_L_m = std::span(target.p_L_m).subspan(range.begin, range.size());
+    SegmentCurve& segment = segments.emplace_back();
+    segment.curve_m = PlaneCurve(points_L_m, target.laser, target.rotation_LB);
+    segment.arc_m = ArcLengths(segment.curve_m);
+    total_m += segment.arc_m.back();
   }
+  evidence.arc_length_m.reserve(static_cast<size_t>(options.samples));
+  evidence.theta_rad.reserve(static_cast<size_t>(options.samples));
   double offset_m = 0.0;
-  for (const std::vector<Eigen::Vector2d>& curve_m : curves_m) {
-    const double length_m = ArcLength(curve_m);
+  for (const SegmentCurve& segment : segments) {
+    const double length_m = segment.arc_m.back();
     const int samples = static_cast<int>(std::lround(options.samples * length_m / total_m));
     if (samples >= 2) {
-      DescribeSegment(curve_m, target.noise_m, samples, offset_m, options, &evidence);
+      DescribeSegment(segment, target.noise_m, samples, offset_m, options, &evidence);
     }
     offset_m += length_m;
   }
@@ -147,32 +128,24 @@ sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const Recognition
   verdict.scan_id = scan.scan_id;
   verdict.method = ToString(options.method);
 
-  // 1. Smoothing.
-  std::vector<RangeProfile> smooth;
-  for (const RangeProfile& profile : scan.profiles) {
-    smooth.push_back(SmoothProfile(profile, scan.camera_position_L_m,
-                                   profile.rotation_LB.value_or(scan.rotation_LB),
-                                   options.smoothing));
-  }
-  // 2. Background removal.
+  // 1. and 2. Smoothing, background removal.
   const std::optional<VerticalRegion> region = FindVerticalRegion(scan, options.background);
-  std::vector<RangeProfile> on_target;
   std::vector<TargetProfile> targets;
-  for (size_t i = 0; i < smooth.size(); ++i) {
-    targets.push_back(FindTarget(smooth[i], scan, region, options));
-    targets.back().noise_m = DepthNoise(scan.profiles[i], scan.camera_position_L_m,
-                                        scan.profiles[i].rotation_LB.value_or(scan.rotation_LB));
-    on_target.push_back(targets.back().profile);
+  targets.reserve(scan.profiles.size());
+  for (const RangeProfile& profile : scan.profiles) {
+    targets.push_back(FindTargetProfile(profile, scan, region, options.smoothing,
+                                        options.background, options.segments));
   }
   // 3. Corners, curves and lines.
+  verdict.profiles.reserve(targets.size());
   for (const TargetProfile& target : targets) {
     verdict.profiles.push_back(DescribeProfile(target, scan, options));
   }
   // 4. Evidence of bending.
   const std::vector<ProfileEnds> horizontal =
-      FindProfileEnds(on_target, Laser::kHorizontal, scan.camera_position_L_m, scan.rotation_LB);
+      FindProfileEnds(targets, Laser::kHorizontal, scan.camera_position_L_m, scan.rotation_LB);
   const std::vector<ProfileEnds> vertical =
-      FindProfileEnds(on_target, Laser::kVertical, scan.camera_position_L_m, scan.rotation_LB);
+      FindProfileEnds(targets, Laser::kVertical, scan.camera_position_L_m, scan.rotation_LB);
   verdict.bending = FindBending(verdict.profiles, horizontal, vertical, options.bending);
   // 5. Evidence of tapering.
   verdict.tapering = FindTapering(horizontal, vertical, options.tapering);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "base/contracts.h"
 
@@ -19,40 +18,60 @@ struct ColumnScale {
 constexpr double kSmallestSpread = 0.005;
 
 std::optional<ColumnScale> FitColumnScale(const sensor::ScanSet& scan) {
-  double n = 0.0;
-  double mean_tangent = 0.0;
-  double mean_column_px = 0.0;
-  double tangent_variance = 0.0;
-  double covariance = 0.0;
+  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;  // sums of tangents x and columns y
   for (const sensor::RangeProfile& profile : scan.profiles) {
     if (profile.laser != sensor::Laser::kHorizontal) continue;
-    const Eigen::Matrix3d R_BL = profile.rotation_LB.value_or(scan.rotation_LB).transpose();
+    const Eigen::Matrix3d R_LB = profile.rotation_LB.value_or(scan.rotation_LB);
+    const Eigen::Vector3d right_L = R_LB.col(0), forward_L = R_LB.col(2);
     for (size_t i = 0; i < profile.p_L_m.size(); ++i) {
-      const Eigen::Vector3d p_B = R_BL * (profile.p_L_m[i] - scan.camera_position_L_m);
-      if (p_B.z() <= 0.0) continue;
-      const double tangent = p_B.x() / p_B.z();
+      const Eigen::Vector3d p_BoP_L = profile.p_L_m[i] - scan.camera_position_L_m;
+      const double depth_m = forward_L.dot(p_BoP_L);
+      if (depth_m <= 0.0) continue;
+      const double tangent = right_L.dot(p_BoP_L) / depth_m;
       const double column_px = profile.pixel[i];
       n += 1.0;
-      const double tangent_step = tangent - mean_tangent;
-      mean_tangent += tangent_step / n;
-      mean_column_px += (column_px - mean_column_px) / n;
-      tangent_variance += tangent_step * (tangent - mean_tangent);
-      covariance += tangent_step * (column_px - mean_column_px);
+      x += tangent;
+      y += column_px;
+      xx += tangent * tangent;
+      xy += tangent * column_px;
     }
   }
-  if (n < 10.0 || tangent_variance < n * kSmallestSpread * kSmallestSpread) return std::nullopt;
-  const double focal_px = covariance / tangent_variance;
+  const double variance = xx - x * x / n, covariance = xy - x * y / n;  // n times
+  if (n < 10.0 || variance < n * kSmallestSpread * kSmallestSpread) return std::nullopt;
+  const double focal_px = covariance / variance;
   if (focal_px <= 0.0) return std::nullopt;
-  return ColumnScale{mean_column_px - focal_px * mean_tangent, focal_px};
+  return ColumnScale{(y - focal_px * x) / n, focal_px};
 }
+
+// FindTargetPoints for one point. Source: (5.1), (5.2) for the floor.
+class TargetTest {
+ public:
+  TargetTest(const sensor::ScanSet& scan, const std::optional<VerticalRegion>& region)
+      : p_LB_m_(scan.camera_position_L_m),
+        right_L_(scan.rotation_LB.col(0)),
+        forward_L_(scan.rotation_LB.col(2)),
+        region_(region) {}
+
+  bool InRegion(const Eigen::Vector3d& p_L) const {
+    if (!region_) return true;
+    const Eigen::Vector3d p_BoP_L = p_L - p_LB_m_;
+    const double x_m = right_L_.dot(p_BoP_L), z_m = forward_L_.dot(p_BoP_L);
+    return z_m > 0.0 && x_m >= region_->min_tangent_1 * z_m && x_m <= region_->max_tangent_1 * z_m;
+  }
+  bool OnTarget(const Eigen::Vector3d& p_L, const BackgroundOptions& options) const {
+    return p_L.z() > options.floor_margin_m && InRegion(p_L);
+  }
+
+ private:
+  Eigen::Vector3d p_LB_m_, right_L_, forward_L_;
+  std::optional<VerticalRegion> region_;
+};
 
 }  // namespace
 
 void BackgroundOptions::Validate() const {
-  Require(margin_px >= 0,
-          "background margin_px is " + std::to_string(margin_px) + ", must not be negative");
-  Require(std::isfinite(floor_margin_m),
-          "floor_margin_m is " + std::to_string(floor_margin_m) + ", must be finite");
+  Require(margin_px >= 0, "background margin_px", margin_px, "must not be negative");
+  Require(std::isfinite(floor_margin_m), "floor_margin_m", floor_margin_m, "must be finite");
 }
 
 std::optional<VerticalRegion> FindVerticalRegion(const sensor::ScanSet& scan,
@@ -69,19 +88,27 @@ std::optional<VerticalRegion> FindVerticalRegion(const sensor::ScanSet& scan,
 std::vector<bool> FindTargetPoints(const sensor::RangeProfile& profile, const sensor::ScanSet& scan,
                                    const std::optional<VerticalRegion>& region,
                                    const BackgroundOptions& options) {
+  const TargetTest test(scan, region);
   std::vector<bool> on_target(profile.p_L_m.size());
   for (size_t i = 0; i < profile.p_L_m.size(); ++i) {
-    const Eigen::Vector3d& p_L = profile.p_L_m[i];
-    const bool above_floor = p_L.z() > options.floor_margin_m;  // (5.1), (5.2)
-    bool in_region = true;
-    if (region) {
-      const Eigen::Vector3d p_B = scan.rotation_LB.transpose() * (p_L - scan.camera_position_L_m);
-      in_region = p_B.z() > 0.0 && p_B.x() >= region->min_tangent_1 * p_B.z() &&
-                  p_B.x() <= region->max_tangent_1 * p_B.z();
-    }
-    on_target[i] = above_floor && in_region;
+    on_target[i] = test.OnTarget(profile.p_L_m[i], options);
   }
   return on_target;
+}
+
+PointRange FindRegionRange(std::span<const Eigen::Vector3d> p_L_m, const sensor::ScanSet& scan,
+                           const std::optional<VerticalRegion>& region) {
+  const TargetTest test(scan, region);
+  PointRange range{0, p_L_m.size()};
+  while (range.begin < range.end && !test.InRegion(p_L_m[range.begin])) ++range.begin;
+  while (range.begin < range.end && !test.InRegion(p_L_m[range.end - 1])) --range.end;
+  return range;
+}
+
+void DropBackground(const sensor::ScanSet& scan, const std::optional<VerticalRegion>& region,
+                    const BackgroundOptions& options, std::vector<Eigen::Vector3d>* p_L_m) {
+  const TargetTest test(scan, region);
+  std::erase_if(*p_L_m, [&](const Eigen::Vector3d& p_L) { return !test.OnTarget(p_L, options); });
 }
 
 sensor::RangeProfile RemoveBackground(const sensor::RangeProfile& profile,

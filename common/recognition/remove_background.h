@@ -1,8 +1,11 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "recognition/profile_curve.h"
 #include "sensor/scan_set.h"
 
 namespace geon::recognition {
@@ -41,6 +44,15 @@ std::optional<VerticalRegion> FindVerticalRegion(const sensor::ScanSet& scan,
 std::vector<bool> FindTargetPoints(const sensor::RangeProfile& profile, const sensor::ScanSet& scan,
                                    const std::optional<VerticalRegion>& region,
                                    const BackgroundOptions& options);
+
+// Of `p_L_m` those from the first to the last that lies in the region: all when there is none.
+// Smoothing moves points along their viewing rays, hence neither into the region nor out of it.
+PointRange FindRegionRange(std::span<const Eigen::Vector3d> p_L_m, const sensor::ScanSet& scan,
+                           const std::optional<VerticalRegion>& region);
+
+// Drops from the points of a profile what FindTargetPoints says is background.
+void DropBackground(const sensor::ScanSet& scan, const std::optional<VerticalRegion>& region,
+                    const BackgroundOptions& options, std::vector<Eigen::Vector3d>* p_L_m);
 
 // The profile without its background points.
 sensor::RangeProfile RemoveBackground(const sensor::RangeProfile& profile,

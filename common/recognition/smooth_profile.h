@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
+#include <vector>
 
 #include "sensor/scan_set.h"
 
@@ -28,5 +30,14 @@ struct SmoothingOptions {
 sensor::RangeProfile SmoothProfile(const sensor::RangeProfile& profile,
                                    const Eigen::Vector3d& p_LB_m, const Eigen::Matrix3d& R_LB,
                                    const SmoothingOptions& options);
+
+// Its two steps. The depths of a profile (ProfileDepths), smoothed; with Smoothing::kNone all stay.
+std::vector<double> SmoothDepths(std::span<const int> pixel, std::span<const double> depth_m,
+                                 const SmoothingOptions& options);
+// The points of a profile, each moved along its viewing ray from its depth to the smoothed one.
+std::vector<Eigen::Vector3d> MoveAlongRays(std::span<const Eigen::Vector3d> p_L_m,
+                                           std::span<const double> depth_m,
+                                           std::span<const double> smooth_m,
+                                           const Eigen::Vector3d& p_LB_m);
 
 }  // namespace geon::recognition

@@ -90,6 +90,17 @@ TEST(ResampleEqualArc, AveragesNoiseAway) {
   for (const Eigen::Vector2d& p : ResampleEqualArc(line_m, 40)) EXPECT_LT(std::abs(p.y()), 1e-5);
 }
 
+TEST(ResampleEqualArc, OfOnePlaceIsThatPlace) {
+  const std::vector<Eigen::Vector2d> still_m(5, Eigen::Vector2d(0.2, -1.0));
+  for (const Eigen::Vector2d& p : ResampleEqualArc(still_m, 4)) EXPECT_EQ(p, still_m[0]);
+}
+
+TEST(ArcLengths, GrowToTheLengthOfTheCurve) {
+  const std::vector<Eigen::Vector2d> curve_m = {{0, 0}, {3, 4}, {3, 4}, {3, 6}};
+  EXPECT_EQ(ArcLengths(curve_m), (std::vector<double>{0, 5, 5, 7}));
+  EXPECT_EQ(ArcLength(curve_m), 7.0);
+}
+
 TEST(ResampleEqualArc, RefusesTooFewPointsOrSamples) {
   const std::vector<Eigen::Vector2d> point = {{0, 0}};
   const std::vector<Eigen::Vector2d> line = {{0, 0}, {1, 0}};

@@ -10,17 +10,18 @@ namespace {
 const Eigen::Vector3d kCamera_m(0, 0, 1);
 const Eigen::Matrix3d kRotation = geometry::CameraAxesInBody();
 
-sensor::RangeProfile Profile(sensor::Laser laser, double fraction,
-                             const std::vector<Eigen::Vector3d>& p_L_m) {
-  sensor::RangeProfile profile;
+TargetProfile Profile(sensor::Laser laser, double fraction,
+                      const std::vector<Eigen::Vector3d>& p_L_m) {
+  TargetProfile profile;
   profile.laser = laser;
   profile.fraction = fraction;
   profile.p_L_m = p_L_m;
+  if (p_L_m.size() >= 2) profile.segments = {{0, p_L_m.size()}};
   return profile;
 }
 
 TEST(FindProfileEnds, GivesCameraCoordinatesByRisingFraction) {
-  const std::vector<sensor::RangeProfile> profiles = {
+  const std::vector<TargetProfile> profiles = {
       Profile(sensor::Laser::kHorizontal, 0.75, {{2, 0.1, 0.4}, {2.3, 0, 0.4}, {2, -0.2, 0.4}}),
       Profile(sensor::Laser::kVertical, 0.5, {{2, 0, 0.9}, {2, 0, 0.4}}),
       Profile(sensor::Laser::kHorizontal, 0.25, {{2, 0.3, 0.8}, {2.5, -0.1, 0.8}})};
@@ -36,14 +37,14 @@ TEST(FindProfileEnds, GivesCameraCoordinatesByRisingFraction) {
 }
 
 TEST(FindProfileEnds, LengthRunsAcrossTheImageNotInDepth) {
-  const std::vector<sensor::RangeProfile> profiles = {
+  const std::vector<TargetProfile> profiles = {
       Profile(sensor::Laser::kHorizontal, 0.5, {{2, 0.3, 0.8}, {2.5, -0.1, 0.8}})};
   const auto ends = FindProfileEnds(profiles, sensor::Laser::kHorizontal, kCamera_m, kRotation);
   EXPECT_NEAR(ends[0].length_m, 0.4, 1e-12);
 }
 
 TEST(FindProfileEnds, LeavesOutProfilesWithoutPoints) {
-  const std::vector<sensor::RangeProfile> profiles = {
+  const std::vector<TargetProfile> profiles = {
       Profile(sensor::Laser::kHorizontal, 0.5, {}),
       Profile(sensor::Laser::kHorizontal, 0.25, {{2, 0, 0}})};
   EXPECT_TRUE(FindProfileEnds(profiles, sensor::Laser::kHorizontal, kCamera_m, kRotation).empty());

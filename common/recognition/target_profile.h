@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "recognition/profile_curve.h"
+#include "recognition/remove_background.h"
+#include "recognition/smooth_profile.h"
+#include "sensor/scan_set.h"
+
+namespace geon::recognition {
+
+// What one profile shows of the target: smoothed, without background, split where it does not hang
+// together.
+struct TargetProfile {
+  sensor::Laser laser = sensor::Laser::kHorizontal;
+  double fraction = 0.5;
+  Eigen::Matrix3d rotation_LB;         // of the B/W camera at this stripe
+  double noise_m = 0.0;                // of the depths, before smoothing
+  std::vector<Eigen::Vector3d> p_L_m;  // in the order of the pixels
+  std::vector<PointRange> segments;    // of p_L_m; points in none are stray
+
+  // The end points of the stripe on the target; only where it has segments.
+  const Eigen::Vector3d& first_L() const { return p_L_m[segments.front().begin]; }
+  const Eigen::Vector3d& last_L() const { return p_L_m[segments.back().end - 1]; }
+};
+
+// Source: thesis sections 5.1 (smoothing, background removal) and 5.4 (segments, figure 5.10).
+// Only points in the region of interest are smoothed, by windows that reach beyond it. `region` as
+// from FindVerticalRegion; the profile has a pixel for each point.
+TargetProfile FindTargetProfile(const sensor::RangeProfile& profile, const sensor::ScanSet& scan,
+                                const std::optional<VerticalRegion>& region,
+                                const SmoothingOptions& smoothing,
+                                const BackgroundOptions& background,
+                                const SegmentOptions& segments);
+
+}  // namespace geon::recognition
