@@ -17,7 +17,10 @@ TriangleMesh GeonMesh(const GeonShape& shape, const MeshResolution& resolution,
   superquadric.section_exponent_1 = IsRound(shape.label) ? 1.0 : edge_exponent_1;
 
   TriangleMesh mesh = SuperquadricMesh(superquadric, resolution);
-  if (IsTapered(shape.label)) TaperAlongZ(-shape.taper_1 / superquadric.half_axes_m.z(), &mesh);
+  if (IsTapered(shape.label)) {
+    const double rate_per_m = -shape.taper_1 / superquadric.half_axes_m.z();
+    TaperAlongZ({rate_per_m, rate_per_m}, &mesh);
+  }
   if (IsBent(shape.label)) BendAlongZ(shape.bend_rad / shape.size_m.z(), &mesh);
   Transform(geometry::MakeTransform(StablePositionRotation(shape), Eigen::Vector3d::Zero()), &mesh);
   StandOnGround(&mesh);

@@ -123,15 +123,16 @@ TriangleMesh SuperquadricMesh(const Superquadric& shape, const MeshResolution& r
   return mesh;
 }
 
-void TaperAlongZ(double rate_per_m, TriangleMesh* mesh) {
+void TaperAlongZ(const Eigen::Vector2d& rate_per_m, TriangleMesh* mesh) {
   for (size_t k = 0; k < mesh->vertices_m.size(); ++k) {
     Eigen::Vector3d& p = mesh->vertices_m[k];
     Eigen::Vector3d& n = mesh->normals[k];
-    const double scale = 1.0 + rate_per_m * p.z();
-    n = Eigen::Vector3d(n.x(), n.y(), scale * n.z() - rate_per_m * (p.x() * n.x() + p.y() * n.y()))
+    const Eigen::Array2d scale = 1.0 + rate_per_m.array() * p.z();
+    const Eigen::Array2d across = n.head<2>().array() / scale;
+    n = Eigen::Vector3d(across.x(), across.y(),
+                        n.z() - (rate_per_m.array() * p.head<2>().array() * across).sum())
             .normalized();
-    p.x() *= scale;
-    p.y() *= scale;
+    p.head<2>().array() *= scale;
   }
 }
 

@@ -25,8 +25,9 @@ TriangleMesh SuperquadricMesh(const Superquadric& superquadric, const MeshResolu
 
 // Global deformations. Source: Solina and Bajcsy 1990, section II-B (after Barr 1984).
 //
-// Tapering along z: x and y grow by 1 + rate * z, `rate_per_m` = K / a3.
-void TaperAlongZ(double rate_per_m, TriangleMesh* mesh);
+// Tapering along z: x and y grow by 1 + rate * z, each at its own rate; `rate_per_m` = (Kx, Ky) /
+// a3.
+void TaperAlongZ(const Eigen::Vector2d& rate_per_m, TriangleMesh* mesh);
 
 // Circular bending of the z axis towards +x with the given curvature; x must stay below
 // 1/curvature.

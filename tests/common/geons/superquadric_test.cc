@@ -70,7 +70,7 @@ double WorstNormalError(const TriangleMesh& mesh) {
 TEST(DeformationTest, TaperScalesTheEndsAndTurnsTheNormals) {
   TriangleMesh mesh = SuperquadricMesh({{0.1, 0.1, 0.2}, 1.0, 1.0}, {});
   EXPECT_LT(WorstNormalError(mesh), 0.05);
-  TaperAlongZ(-2.0, &mesh);
+  TaperAlongZ({-2.0, -2.0}, &mesh);
   EXPECT_LT(WorstNormalError(mesh), 0.05);
   for (const Eigen::Vector3d& p : mesh.vertices_m) {
     const double scale = 1.0 - 2.0 * p.z();
