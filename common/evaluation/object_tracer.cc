@@ -74,11 +74,12 @@ struct ObjectTracer::Embree {
   }
 };
 
-ObjectTracer::ObjectTracer(const geons::TriangleMesh& mesh)
+ObjectTracer::ObjectTracer(const geons::TriangleMesh& mesh, const geons::TriangleMesh* beside)
     : embree_(std::make_unique<Embree>()), outline_m_(mesh.vertices_m) {
   Require(!mesh.triangles.empty(), "ObjectTracer: a mesh without triangles");
   rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);
   AddMesh(embree_->device, embree_->scene, mesh);
+  if (beside) AddMesh(embree_->device, embree_->scene, *beside);
   rtcCommitScene(embree_->scene);
   for (const Eigen::Vector3d& p_m : outline_m_) height_m_ = std::max(height_m_, p_m.z());
 }

@@ -21,7 +21,9 @@ struct ObjectRay {
 // same on every x86-64 machine: the instruction set is pinned.
 class ObjectTracer {
  public:
-  explicit ObjectTracer(const geons::TriangleMesh& mesh);
+  // `beside`: what else stands there; rays find it too, but it is no part of the object's outline.
+  explicit ObjectTracer(const geons::TriangleMesh& mesh,
+                        const geons::TriangleMesh* beside = nullptr);
   ~ObjectTracer();
   ObjectTracer(const ObjectTracer&) = delete;
   ObjectTracer& operator=(const ObjectTracer&) = delete;

@@ -17,6 +17,9 @@ struct RangefinderOptions {
   double focal_px = 1600.0;
   double baseline_m = 0.0625;    // horizontal laser above the camera, vertical one beside it
   double color_above_m = 0.065;  // the colour camera, which measures the target box
+  // A depth camera instead: its rows and columns are the stripes, nothing is hidden from it, and it
+  // errs as a triangulation over baseline_m does.
+  bool depth_camera = false;
 };
 
 // From where the object is seen, and on what.
@@ -39,6 +42,11 @@ struct FaultOptions {
   double floor_cut_m = 0.0;     // points lower than this are missing
   double misplacement_1 = 0.0;  // of a stripe, in target boxes, standard deviation
   double attitude_rad = 0.0;    // by which the camera's believed attitude is wrong
+  // Of sensors that match patches instead of finding peaks (structured light, stereo):
+  double step_px = 0.0;    // offsets come in such steps
+  double patch_px = 0.0;   // each line shows the mean over so many lines to both sides
+  double edge_px = 0.0;    // ... and stands so far beside its place, correlated over six lines
+  double shadow_px = 0.0;  // lines missing on each side of a jump of depth
 };
 
 // A named set of faults. `noise_px` is kept by all.

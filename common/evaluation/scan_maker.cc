@@ -88,7 +88,7 @@ Fan LayStripe(bool vertical, double fraction, const Eigen::AlignedBox2d& box, co
               const ViewOptions& view, const RangefinderOptions& rangefinder) {
   Fan fan;
   fan.across = vertical ? 0 : 1;
-  fan.baseline_m = view.orthographic ? 0.0 : rangefinder.baseline_m;
+  fan.baseline_m = view.orthographic || rangefinder.depth_camera ? 0.0 : rangefinder.baseline_m;
   const double place_px = box.min()[fan.across] + fraction * box.sizes()[fan.across];
   double place_m = camera.range_m * place_px / camera.focal_px;
   if (!vertical) place_m -= rangefinder.color_above_m;  // from the colour camera to B
@@ -132,11 +132,17 @@ std::vector<double> TrueDepths(const ObjectTracer& object, const Camera& camera,
 
 // Depth by triangulation of a stripe that stands `error_px` off its true place.
 double MeasuredDepth(double z_m, double error_px, const Camera& camera, const Fan& fan,
-                     const ViewOptions& view, const RangefinderOptions& rangefinder) {
+                     const ViewOptions& view, const RangefinderOptions& rangefinder,
+                     double step_px) {
+  const double scale_mpx = rangefinder.baseline_m * rangefinder.focal_px;
   if (view.orthographic) {  // the same error of depth, but nowhere else
-    const double scale =
-        view.range_m * view.range_m / (rangefinder.baseline_m * rangefinder.focal_px);
-    return z_m + scale * error_px;
+    return z_m + view.range_m * view.range_m / scale_mpx * error_px;
+  }
+  if (rangefinder.depth_camera) {
+    const double offset_px = scale_mpx / z_m - error_px;
+    const double read_px =
+        step_px > 0.0 ? step_px * std::max(std::round(offset_px / step_px), 1.0) : offset_px;
+    return scale_mpx / read_px;
   }
   const double tangent = fan.slope_1 - fan.baseline_m / z_m + error_px / camera.focal_px;
   return fan.baseline_m / (fan.slope_1 - tangent);
@@ -186,18 +192,19 @@ sensor::ScanSet MakeScan(const ObjectTracer& object, const ViewOptions& view,
     for (int line = 0; line < lines; ++line) {
       tangents.push_back((line - centre_px) / camera.focal_px);
     }
-    const std::vector<double> depths_m = TrueDepths(object, camera, fan, tangents);
+    const std::vector<double> depths_m =
+        MatchPatches(TrueDepths(object, camera, fan, tangents), faults, random);
     const std::vector<StripeError> errors = StripeErrors(depths_m.size(), faults, random);
     for (size_t i = 0; i < depths_m.size(); ++i) {
       if (depths_m[i] == kInfinity || errors[i].missing) continue;
-      const double z_m =
-          MeasuredDepth(depths_m[i], errors[i].offset_px, camera, fan, view, rangefinder);
+      const double z_m = MeasuredDepth(depths_m[i], errors[i].offset_px, camera, fan, view,
+                                       rangefinder, faults.step_px);
       // The point measured: where the camera's ray through the displaced pixel has this depth.
       const Eigen::Vector3d p_B = fan.LaserInB() + z_m * fan.Ray(tangents[i]);
       const Eigen::Vector3d true_B = fan.LaserInB() + depths_m[i] * fan.Ray(tangents[i]);
       const double height_m = (camera.X_OB * true_B).z();
       if (!(z_m > 0.0) || z_m > camera.range_m + kFarthest_m) continue;
-      if (height_m < faults.floor_cut_m) continue;
+      if (faults.floor_cut_m > 0.0 && height_m < faults.floor_cut_m) continue;
       profile.pixel.push_back(static_cast<int>(i));
       profile.p_L_m.push_back(X_LB * p_B);
     }

@@ -182,5 +182,42 @@ TEST(MakeScan, SameRandomStateSameScan) {
   EXPECT_NE(a.profiles[2].p_L_m, c.profiles[2].p_L_m);
 }
 
+TEST(MakeScan, OfADepthCameraHidesNothingAndKeepsItsSteps) {
+  RangefinderOptions camera;
+  camera.depth_camera = true;
+  const double scale_mpx = camera.baseline_m * camera.focal_px;
+  FaultOptions faults = NoFaults();
+  faults.step_px = 0.25;
+  const ViewOptions view = FrontView();
+  std::mt19937_64 random(1);
+  const sensor::ScanSet scan = MakeScan(BoxOnFloor(), view, faults, camera, random);
+  const Eigen::Vector3d eye_m = scan.camera_position_L_m;
+  for (const sensor::RangeProfile& profile : scan.profiles) {
+    EXPECT_EQ(profile.laser_origin_L_m, eye_m);
+    const size_t lines = static_cast<size_t>(profile.pixel.back() - profile.pixel.front()) + 1;
+    EXPECT_EQ(profile.pixel.size(), lines) << "object or floor in every line";
+    for (const Eigen::Vector3d& p_m : profile.p_L_m) {
+      const double steps = scale_mpx / scan.rotation_LB.col(2).dot(p_m - eye_m) / faults.step_px;
+      EXPECT_NEAR(steps, std::round(steps), 1e-6);
+    }
+  }
+}
+
+TEST(MakeScan, FindsWhatStandsBesideButDoesNotAimAtIt) {
+  const geons::TriangleMesh box = geons::PolygonGeon({GeonLabel::kCuboid, {0.16, 0.16, 0.16}}, 48);
+  geons::TriangleMesh beside = box;
+  geons::Transform(geometry::MakeTransform(Eigen::Matrix3d::Identity(), {0.0, 0.2, 0.0}), &beside);
+  std::mt19937_64 a(1), b(1);
+  const auto alone = MakeScan(ObjectTracer(box), FrontView(), NoFaults(), {}, a);
+  const auto two = MakeScan(ObjectTracer(box, &beside), FrontView(), NoFaults(), {}, b);
+  EXPECT_EQ(two.target_box->u_px, alone.target_box->u_px);
+  EXPECT_EQ(two.target_box->w_px, alone.target_box->w_px);
+  const auto high = [](const sensor::ScanSet& scan) {
+    return std::count_if(scan.profiles[1].p_L_m.begin(), scan.profiles[1].p_L_m.end(),
+                         [](const Eigen::Vector3d& p_m) { return p_m.z() > 0.02; });
+  };
+  EXPECT_GT(high(two), high(alone) + 50);
+}
+
 }  // namespace
 }  // namespace geon::evaluation

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace geon::evaluation {
@@ -48,6 +49,48 @@ TEST(StripeErrors, OutliersAndDropoutsComeAtTheirRates) {
   }
   EXPECT_NEAR(far / static_cast<double>(kLines), 0.02 * 0.95, 0.004);
   EXPECT_NEAR(missing / static_cast<double>(kLines), 0.10, 0.01);
+}
+
+// A surface 1 m away beside one 1.2 m away.
+std::vector<double> Step() {
+  std::vector<double> depths_m(200, 1.0);
+  std::fill(depths_m.begin() + 100, depths_m.end(), 1.2);
+  return depths_m;
+}
+
+TEST(MatchPatches, ChangesNothingUnlessAsked) {
+  std::mt19937_64 random(1);
+  EXPECT_EQ(MatchPatches(Step(), {}, random), Step());
+}
+
+TEST(MatchPatches, DisplacesTheEdgeAndNowAndThenMixesItsSides) {
+  FaultOptions faults;
+  faults.patch_px = 3.0;
+  faults.edge_px = 2.0;
+  int displaced = 0, mixed = 0;
+  for (uint64_t seed = 0; seed < 100; ++seed) {
+    std::mt19937_64 random(seed);
+    const std::vector<double> seen_m = MatchPatches(Step(), faults, random);
+    for (size_t i = 0; i < seen_m.size(); ++i) {
+      if (seen_m[i] != 1.0 && seen_m[i] != 1.2) ++mixed;
+      if (seen_m[i] == (i < 100 ? 1.2 : 1.0)) ++displaced;
+      if (i < 80 || i >= 120) {
+        EXPECT_NEAR(seen_m[i], i < 100 ? 1.0 : 1.2, 1e-12);
+      }
+    }
+  }
+  EXPECT_GT(displaced, 50);
+  EXPECT_GT(mixed, 3);
+  EXPECT_LT(mixed, 100);
+}
+
+TEST(MatchPatches, LosesTheLinesBesideAJump) {
+  FaultOptions faults;
+  faults.shadow_px = 3.0;
+  std::mt19937_64 random(1);
+  const std::vector<double> seen_m = MatchPatches(Step(), faults, random);
+  EXPECT_EQ(std::count_if(seen_m.begin(), seen_m.end(), [](double z) { return std::isinf(z); }), 6);
+  EXPECT_TRUE(std::isinf(seen_m[97]) && std::isinf(seen_m[102]));
 }
 
 }  // namespace
