@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <random>
-#include <vector>
 
 #include "geons/geon_shape.h"
 #include "geons/triangle_mesh.h"
@@ -35,11 +34,5 @@ struct RandomScan {
 // degrees of elevation) with 0.1 px of noise by a baseline of 62.5 or 125 mm; half of them on a
 // floor, half of them with stripes misplaced by 3 %. Depends on (seed, t) alone.
 RandomScan MakeRandomScan(uint64_t seed, uint64_t t);
-
-// Scans of one shape for growing the forest of method `evidence`: as above but wider in
-// everything (0.75-1.9 m, 3-85 degrees, half the size to a tenth more, flatter and longer), one
-// shape in eleven an open vessel, and half of the views under one or two of the faults of
-// FaultOptions. Depends on (seed, t) and on `views` alone; shares no scan with MakeRandomScan.
-std::vector<RandomScan> MakeStressedScans(uint64_t seed, uint64_t t, int views);
 
 }  // namespace geon::evaluation

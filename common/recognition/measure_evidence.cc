@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "recognition/outline_evidence.h"
+#include "recognition/round_evidence.h"
 #include "recognition/stripe_evidence.h"
 #include "recognition/surface_evidence.h"
 
@@ -59,9 +60,8 @@ void AddViewEvidence(const std::vector<TargetStripe>& stripes, const Eigen::Vect
 
 }  // namespace
 
-EvidenceList MeasureEvidence(const std::vector<TargetStripe>& stripes,
-                             const Eigen::Vector3d& p_LB_m, const Eigen::Matrix3d& R_LB,
-                             bool with_names) {
+EvidenceList MeasureEvidence(const TargetView& view, bool with_names) {
+  const std::vector<TargetStripe>& stripes = view.stripes;
   static const char* const kGroups[] = {"horizontal_1", "horizontal_2", "horizontal_3",
                                         "vertical_1",   "vertical_2",   "vertical_3"};
   EvidenceList evidence(with_names);
@@ -70,12 +70,20 @@ EvidenceList MeasureEvidence(const std::vector<TargetStripe>& stripes,
     evidence.BeginGroup(kGroups[k]);
     AddStripeEvidence(stripes[k], scale_m, &evidence);
   }
-  AddOutlineEvidence(stripes, p_LB_m, R_LB, scale_m, &evidence);
+  AddOutlineEvidence(stripes, view.p_LB_m, view.R_LB, scale_m, &evidence);
+  const CrossingGrid grid = FindCrossings(view);
   evidence.BeginGroup("surface");
-  AddSurfaceEvidence(stripes, p_LB_m, R_LB, scale_m, &evidence);
+  AddSurfaceEvidence(grid, scale_m, &evidence);
+  evidence.BeginGroup("round");
+  AddRoundEvidence(stripes, grid, scale_m, &evidence);
   evidence.BeginGroup("view");
-  AddViewEvidence(stripes, p_LB_m, R_LB, scale_m, &evidence);
+  AddViewEvidence(stripes, view.p_LB_m, view.R_LB, scale_m, &evidence);
   return evidence;
+}
+
+EvidenceList MeasureScan(const sensor::ScanSet& scan, const RecognitionOptions& options,
+                         bool with_names) {
+  return MeasureEvidence(FindTargetView(scan, options.background, options.segments), with_names);
 }
 
 }  // namespace geon::recognition

@@ -36,10 +36,11 @@ std::vector<PointRange> FindSegments(std::span<const Eigen::Vector3d> p_L_m,
                                      const SegmentOptions& options) {
   std::vector<PointRange> segments;
   double longest_m = 0.0;
+  const double square_split_m2 = options.split_m * options.split_m;
   size_t begin = 0;
   for (size_t i = 0; i < p_L_m.size(); ++i) {
     const bool last = i + 1 == p_L_m.size();
-    if (!last && (p_L_m[i + 1] - p_L_m[i]).norm() <= options.split_m) continue;
+    if (!last && (p_L_m[i + 1] - p_L_m[i]).squaredNorm() <= square_split_m2) continue;
     segments.push_back({begin, i + 1});
     longest_m = std::max(longest_m, Extent(p_L_m, segments.back()));
     begin = i + 1;

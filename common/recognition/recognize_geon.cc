@@ -159,10 +159,4 @@ sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const Recognition
   return verdict;
 }
 
-EvidenceList MeasureScan(const sensor::ScanSet& scan, const RecognitionOptions& options,
-                         bool with_names) {
-  return MeasureEvidence(FindTargetStripes(scan, options.background, options.segments),
-                         scan.camera_position_L_m, scan.rotation_LB, with_names);
-}
-
 }  // namespace geon::recognition

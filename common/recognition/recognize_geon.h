@@ -1,6 +1,5 @@
 #pragma once
 
-#include "recognition/evidence_list.h"
 #include "recognition/recognition_options.h"
 #include "sensor/geon_verdict.h"
 #include "sensor/scan_set.h"
@@ -27,9 +26,5 @@ namespace geon::recognition {
 // whether it is high enough to be relied on. Bending, tapering and the profiles' features are
 // reported beside it, as the thesis finds them.
 sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const RecognitionOptions& options);
-
-// What method `evidence` measures on a scan, before it is weighed.
-EvidenceList MeasureScan(const sensor::ScanSet& scan, const RecognitionOptions& options = {},
-                         bool with_names = false);
 
 }  // namespace geon::recognition

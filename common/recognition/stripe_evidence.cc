@@ -4,50 +4,49 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 #include "recognition/difference_of_slope.h"
+#include "recognition/line_moments.h"
+#include "recognition/quantiles.h"
 
 namespace geon::recognition {
 namespace {
 
 constexpr int kFineSamples = 110;
 constexpr int kCoarseSamples = 60;
-constexpr std::array<double, 7> kQuantiles = {0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0};
-constexpr std::array<const char*, 7> kQuantileNames = {"min", "10", "25", "50", "75", "90", "max"};
 
 using Curve = std::vector<Eigen::Vector2d>;
 
-// The segments of a stripe, resampled to about `samples` points in all.
-std::vector<Curve> Resample(const TargetStripe& stripe, int samples) {
-  std::vector<Curve> pieces;
+// A stripe's segments with their arc lengths.
+struct Segments {
+  std::vector<std::span<const Eigen::Vector2d>> curves_m;
+  std::vector<std::vector<double>> arcs_m;
   double total_m = 0.0;
+};
+
+Segments FindArcs(const TargetStripe& stripe) {
+  Segments segments;
+  const std::span<const Eigen::Vector2d> all = stripe.curve_m;
   for (size_t s = 0; s < stripe.segment_begins.size(); ++s) {
-    pieces.emplace_back(
-        stripe.curve_m.begin() + static_cast<std::ptrdiff_t>(stripe.segment_begins[s]),
-        stripe.curve_m.begin() + static_cast<std::ptrdiff_t>(stripe.SegmentEnd(s)));
-    total_m += ArcLength(pieces.back());
+    const size_t begin = stripe.segment_begins[s];
+    segments.curves_m.push_back(all.subspan(begin, stripe.SegmentEnd(s) - begin));
+    segments.arcs_m.push_back(ArcLengths(segments.curves_m.back()));
+    segments.total_m += segments.arcs_m.back().back();
   }
-  for (Curve& piece : pieces) {
-    const auto own = static_cast<int>(std::lround(samples * ArcLength(piece) / total_m));
-    piece = ResampleEqualArc(piece, std::max(own, 2));
+  return segments;
+}
+
+// Resampled to about `samples` points in all.
+std::vector<Curve> Resample(const Segments& segments, int samples) {
+  std::vector<Curve> pieces;
+  for (size_t s = 0; s < segments.curves_m.size(); ++s) {
+    const double share = segments.arcs_m[s].back() / segments.total_m;
+    const auto own = static_cast<int>(std::lround(samples * share));
+    pieces.push_back(ResampleEqualArc(segments.curves_m[s], segments.arcs_m[s], std::max(own, 2)));
   }
   return pieces;
-}
-
-double Quantile(const std::vector<double>& sorted, double share_1) {
-  if (sorted.empty()) return 0.0;
-  const double place = share_1 * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<size_t>(place);
-  const size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
-void AddQuantiles(std::string_view name, std::vector<double> values, EvidenceList* evidence) {
-  std::sort(values.begin(), values.end());
-  for (size_t q = 0; q < kQuantiles.size(); ++q) {
-    evidence->Add(name, kQuantileNames[q], Quantile(values, kQuantiles[q]));
-  }
 }
 
 // How the stripe turns: quantiles of theta, its place of most turning, how much it turns in all.
@@ -70,34 +69,9 @@ void AddTurning(std::string_view name, const std::vector<Curve>& pieces, Evidenc
   AddQuantiles(name, std::move(theta_rad), evidence);
 }
 
-// Sums of a run of points, for fitting lines to all runs in one pass.
-struct Moments {
-  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
-  Moments operator-(const Moments& other) const {
-    return {n - other.n, x - other.x, y - other.y, xx - other.xx, xy - other.xy, yy - other.yy};
-  }
-  void Add(const Eigen::Vector2d& p) {
-    n += 1.0;
-    x += p.x();
-    y += p.y();
-    xx += p.x() * p.x();
-    xy += p.x() * p.y();
-    yy += p.y() * p.y();
-  }
-  // Sum of squared distances from the best line (the scatter's smaller eigenvalue).
-  double LineResidual() const {
-    const double a = xx - x * x / n, b = xy - x * y / n, c = yy - y * y / n;
-    return std::max(0.0, 0.5 * (a + c - std::hypot(a - c, 2.0 * b)));
-  }
-};
-
 // How far the points lie from a line, from two lines, from a circle: rms over the stripe's length.
 void AddFits(const Curve& points, double length_m, double scale_m, EvidenceList* evidence) {
-  std::vector<Moments> until(1);
-  for (const Eigen::Vector2d& p : points) {
-    until.push_back(until.back());
-    until.back().Add(p - points.front());
-  }
+  const std::vector<LineMoments> until = RunningMoments(points);
   const double n = static_cast<double>(points.size());
   const auto relative = [&](double squares) { return std::sqrt(squares / n) / length_m; };
   double two_lines = until.back().LineResidual();
@@ -193,8 +167,9 @@ void AddStripeEvidence(const TargetStripe& given, double scale_m, EvidenceList* 
     stripe.curve_m = {Eigen::Vector2d::Zero(), Eigen::Vector2d(0.01 * scale_m, 0.0)};
     stripe.segment_begins = {0};
   }
-  const std::vector<Curve> fine = Resample(stripe, kFineSamples);
-  const std::vector<Curve> coarse = Resample(stripe, kCoarseSamples);
+  const Segments segments = FindArcs(stripe);
+  const std::vector<Curve> fine = Resample(segments, kFineSamples);
+  const std::vector<Curve> coarse = Resample(segments, kCoarseSamples);
   Curve all;
   for (const Curve& piece : coarse) all.insert(all.end(), piece.begin(), piece.end());
   const double length_m = std::max((all.back() - all.front()).norm(), 0.01 * scale_m);

@@ -8,83 +8,11 @@
 #include <optional>
 #include <string_view>
 
+#include "base/angles.h"
+#include "recognition/quantiles.h"
+
 namespace geon::recognition {
 namespace {
-
-// The surface where two stripes cross; frame L, the normal towards the camera.
-struct Crossing {
-  Eigen::Vector3d p_L_m;
-  Eigen::Vector3d normal_L;
-};
-using Grid = std::array<std::array<std::optional<Crossing>, 3>, 3>;
-
-constexpr size_t kTangentShare = 10;        // a tangent averages this part of a stripe to each side
-constexpr double kFarthestCrossing = 0.06;  // in stripe lengths: stripes further apart do not cross
-
-// A stripe as a run of directions from the camera: x/z and y/z of each point.
-std::vector<Eigen::Vector2d> Directions(const TargetStripe& stripe, const Eigen::Vector3d& p_LB_m,
-                                        const Eigen::Matrix3d& R_LB) {
-  std::vector<Eigen::Vector2d> directions;
-  directions.reserve(stripe.p_L_m.size());
-  for (const Eigen::Vector3d& p_L : stripe.p_L_m) {
-    const Eigen::Vector3d p_B = R_LB.transpose() * (p_L - p_LB_m);
-    directions.emplace_back(p_B.x() / p_B.z(), p_B.y() / p_B.z());
-  }
-  return directions;
-}
-
-// Index of the point whose coordinate `axis` (nearly monotone along the stripe) is nearest `value`.
-size_t Nearest(const std::vector<Eigen::Vector2d>& directions, int axis, double value) {
-  const auto above = std::lower_bound(
-      directions.begin(), directions.end(), value,
-      [axis](const Eigen::Vector2d& direction, double v) { return direction[axis] < v; });
-  if (above == directions.begin()) return 0;
-  if (above == directions.end()) return directions.size() - 1;
-  const auto below = above - 1;
-  const bool nearer = value - (*below)[axis] < (*above)[axis] - value;
-  return static_cast<size_t>((nearer ? below : above) - directions.begin());
-}
-
-// The stripe's direction at a point: from the mean of the points before to that of those after.
-Eigen::Vector3d Tangent(const TargetStripe& stripe, size_t at) {
-  const size_t reach = std::max<size_t>(stripe.p_L_m.size() / kTangentShare, 2);
-  const size_t begin = at > reach ? at - reach : 0;
-  const size_t end = std::min(at + reach + 1, stripe.p_L_m.size());
-  const size_t middle = std::clamp(at, begin + 1, end - 1);
-  Eigen::Vector3d before = Eigen::Vector3d::Zero(), after = before;
-  for (size_t i = begin; i < middle; ++i) before += stripe.p_L_m[i];
-  for (size_t i = middle; i < end; ++i) after += stripe.p_L_m[i];
-  return after / static_cast<double>(end - middle) - before / static_cast<double>(middle - begin);
-}
-
-Grid FindCrossings(const std::vector<TargetStripe>& stripes, const Eigen::Vector3d& p_LB_m,
-                   const Eigen::Matrix3d& R_LB) {
-  std::vector<std::vector<Eigen::Vector2d>> directions;
-  for (const TargetStripe& stripe : stripes) directions.push_back(Directions(stripe, p_LB_m, R_LB));
-  Grid grid;
-  for (size_t row = 0; row < 3; ++row) {
-    for (size_t column = 0; column < 3; ++column) {
-      const TargetStripe& h = stripes[row];
-      const TargetStripe& v = stripes[3 + column];
-      if (h.p_L_m.size() < 5 || v.p_L_m.size() < 5) continue;
-      // From each stripe to the other's level in turn: they are nearly straight and at right
-      // angles.
-      size_t i = h.p_L_m.size() / 2, j = v.p_L_m.size() / 2;
-      for (int pass = 0; pass < 3; ++pass) {
-        i = Nearest(directions[row], 0, directions[3 + column][j].x());
-        j = Nearest(directions[3 + column], 1, directions[row][i].y());
-      }
-      const double extent = directions[row].back().x() - directions[row].front().x();
-      const double apart = (directions[row][i] - directions[3 + column][j]).norm();
-      if (apart > kFarthestCrossing * std::abs(extent)) continue;
-      Eigen::Vector3d normal = Tangent(h, i).cross(Tangent(v, j)).normalized();
-      const Eigen::Vector3d p = 0.5 * (h.p_L_m[i] + v.p_L_m[j]);
-      if (normal.dot(p_LB_m - p) < 0.0) normal = -normal;
-      grid[row][column] = Crossing{p, normal};
-    }
-  }
-  return grid;
-}
 
 // Normal curvature between two crossings, positive where convex, times scale.
 double Curvature(const std::optional<Crossing>& a, const std::optional<Crossing>& b,
@@ -95,7 +23,7 @@ double Curvature(const std::optional<Crossing>& a, const std::optional<Crossing>
   return std::clamp(curvature * scale_m, -20.0, 20.0);
 }
 
-void AddCurvatures(const Grid& grid, double scale_m, EvidenceList* evidence) {
+void AddCurvatures(const CrossingGrid& grid, double scale_m, EvidenceList* evidence) {
   for (int direction = 0; direction < 2; ++direction) {
     std::array<double, 6> curvatures{};
     size_t k = 0;
@@ -117,7 +45,7 @@ void AddCurvatures(const Grid& grid, double scale_m, EvidenceList* evidence) {
 
 // Root of the smallest eigenvalues of the crossings' and of their normals' scatter: 0 for a plane,
 // and for a surface that curves one way only.
-void AddScatter(const Grid& grid, double scale_m, EvidenceList* evidence) {
+void AddScatter(const CrossingGrid& grid, double scale_m, EvidenceList* evidence) {
   Eigen::Matrix3d places = Eigen::Matrix3d::Zero(), normals = places;
   Eigen::Vector3d mean_p = Eigen::Vector3d::Zero(), mean_n = mean_p;
   double count = 0.0;
@@ -153,11 +81,32 @@ void AddScatter(const Grid& grid, double scale_m, EvidenceList* evidence) {
   evidence->Add("mean_normal_length", mean_n.norm());
 }
 
+// How far the angles between the faces that the crossings lie on are from 0 and 90 degrees, and how
+// far the faces lean from upright and level: nothing of it on a cuboid, whichever side it stands
+// on.
+void AddFaces(const CrossingGrid& grid, EvidenceList* evidence) {
+  std::vector<Eigen::Vector3d> normals;
+  for (const auto& row : grid) {
+    for (const auto& crossing : row) {
+      if (crossing) normals.push_back(crossing->face_normal_L);
+    }
+  }
+  const auto fold = [](double cosine) {
+    const double angle_rad = std::acos(std::min(std::abs(cosine), 1.0));
+    return std::min(angle_rad, kPi / 2 - angle_rad);
+  };
+  std::vector<double> skews_rad, leans_rad;
+  for (size_t a = 0; a < normals.size(); ++a) {
+    leans_rad.push_back(fold(normals[a].z()));
+    for (size_t b = 0; b < a; ++b) skews_rad.push_back(fold(normals[a].dot(normals[b])));
+  }
+  AddQuantiles("skew_", std::move(skews_rad), evidence);
+  AddQuantiles("lean_", std::move(leans_rad), evidence);
+}
+
 }  // namespace
 
-void AddSurfaceEvidence(const std::vector<TargetStripe>& stripes, const Eigen::Vector3d& p_LB_m,
-                        const Eigen::Matrix3d& R_LB, double scale_m, EvidenceList* evidence) {
-  const Grid grid = FindCrossings(stripes, p_LB_m, R_LB);
+void AddSurfaceEvidence(const CrossingGrid& grid, double scale_m, EvidenceList* evidence) {
   for (size_t row = 0; row < 3; ++row) {
     for (size_t column = 0; column < 3; ++column) {
       const Eigen::Vector3d n =
@@ -166,10 +115,13 @@ void AddSurfaceEvidence(const std::vector<TargetStripe>& stripes, const Eigen::V
       evidence->Add("forward_", place, -n.x());
       evidence->Add("left_", place, n.y());
       evidence->Add("up_", place, n.z());
+      evidence->Add("face_up_", place,
+                    grid[row][column] ? grid[row][column]->face_normal_L.z() : 0.0);
     }
   }
   AddCurvatures(grid, scale_m, evidence);
   AddScatter(grid, scale_m, evidence);
+  AddFaces(grid, evidence);
 }
 
 }  // namespace geon::recognition

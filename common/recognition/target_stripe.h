@@ -13,9 +13,10 @@ namespace geon::recognition {
 struct TargetStripe {
   sensor::Laser laser = sensor::Laser::kHorizontal;
   double fraction = 0.5;
-  std::vector<Eigen::Vector3d> p_L_m;    // in the order of the pixels, spikes dropped
-  std::vector<Eigen::Vector2d> curve_m;  // the same points as PlaneCurve gives them, smoothed
-  // Where the parts that hang together begin in p_L_m and curve_m; never empty when they are not.
+  std::vector<Eigen::Vector3d> p_L_m;        // in the order of the pixels, spikes dropped
+  std::vector<Eigen::Vector2d> curve_m;      // the same points as PlaneCurve gives them, smoothed
+  std::vector<Eigen::Vector2d> tangent_B_1;  // ... and their x/z and y/z in the B/W camera
+  // Where the parts that hang together begin in them; never empty when they are not.
   std::vector<size_t> segment_begins;
   double noise_m = 0.0;  // of the depths, before smoothing
   bool empty() const { return p_L_m.empty(); }
@@ -24,17 +25,27 @@ struct TargetStripe {
   }
 };
 
-// The six stripes on the target: three horizontal, then three vertical, each by rising fraction.
-// A stripe that the scan lacks, or that shows fewer than `segments.fewest_points` points of the
-// target, is empty; of more than three stripes in a direction those nearest to 1/4, 1/2 and 3/4
-// are taken.
-//
-// Source: thesis sections 5.1 and 5.4 for what is background and what a segment. Deviations: spikes
-// are dropped, not replaced (a point further than `kSpike` sigmas of the profile's own noise from
-// the median of five); the rest is averaged over a fiftieth of the stripe, where the thesis takes
-// the median of a fixed window.
-std::vector<TargetStripe> FindTargetStripes(const sensor::ScanSet& scan,
-                                            const BackgroundOptions& background,
-                                            const SegmentOptions& segments);
+// The target as a scan shows it; frame L stands level on the target's support (support_plane.h).
+struct TargetView {
+  // Three horizontal, then three vertical, each by rising fraction. A stripe that the scan lacks,
+  // or that shows fewer than `segments.fewest_points` points of the target, is empty; of more than
+  // three stripes in a direction those nearest to 1/4, 1/2 and 3/4 are taken.
+  std::vector<TargetStripe> stripes;
+  Eigen::Vector3d p_LB_m = Eigen::Vector3d::Zero();  // the B/W camera
+  Eigen::Matrix3d R_LB = Eigen::Matrix3d::Identity();
+};
+
+// Source: thesis sections 5.1 and 5.4 for what is background and what a segment. Deviations:
+// - the support is where the scan's own points show it, and points within three sigmas of it are
+//   background, but never less than `background.floor_margin_m`;
+// - the horizontal stripes, whose places in the target box are known, also tell the rows between
+//   which the target lies: what vertical stripes show far beyond them is background;
+// - spikes are dropped, not replaced (a point further than five sigmas of the profile's own noise
+//   from the median of five), and so are the ends that a profile draws out along the viewing rays
+//   where a camera mixes the target's edge with what is behind it;
+// - the rest is averaged over a fiftieth of the stripe, where the thesis takes the median of a
+//   fixed window.
+TargetView FindTargetView(const sensor::ScanSet& scan, const BackgroundOptions& background = {},
+                          const SegmentOptions& segments = {});
 
 }  // namespace geon::recognition

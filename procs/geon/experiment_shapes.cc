@@ -1,8 +1,8 @@
 #include "procs/geon/experiment_shapes.h"
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
+
+#include "procs/geon/parallel_for.h"
 
 namespace geon::cli {
 namespace {
@@ -41,18 +41,10 @@ ShapeRun RunShapeTrials(const std::vector<ShownObject>& objects,
                         const evaluation::SphereConditions& conditions, const Recognizer& recognize,
                         Shard shard, int jobs) {
   std::vector<ShapeRun> by_object(objects.size());
-  std::atomic<size_t> next{0};
-  const auto work = [&] {
-    for (size_t k = next++; k < objects.size(); k = next++) {
-      by_object[k] =
-          RunObject(objects[k], static_cast<int>(k), sphere, conditions, recognize, shard);
-    }
-  };
-  {
-    std::vector<std::jthread> workers;
-    for (int job = 1; job < jobs; ++job) workers.emplace_back(work);
-    work();
-  }
+  ParallelFor(jobs, static_cast<int>(objects.size()), [&](int k) {
+    const auto at = static_cast<size_t>(k);
+    by_object[at] = RunObject(objects[at], k, sphere, conditions, recognize, shard);
+  });
   ShapeRun run;
   for (ShapeRun& own : by_object) {
     run.trials.insert(run.trials.end(), own.trials.begin(), own.trials.end());

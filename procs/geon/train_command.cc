@@ -2,10 +2,12 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <mutex>
 
 #include "config/text_file.h"
 #include "evaluation/train_forest.h"
 #include "procs/geon/commands.h"
+#include "procs/geon/parallel_for.h"
 #include "procs/geon/progress.h"
 
 namespace geon::cli {
@@ -13,14 +15,25 @@ namespace {
 
 struct TrainArguments {
   evaluation::TrainingOptions training;
+  int jobs = 1;
   std::filesystem::path output;
 };
 
 int Train(const TrainArguments& arguments) {
   evaluation::TrainingReport report;
   Progress progress("geon train");
-  const evaluation::OwnedForest forest = evaluation::TrainForest(
-      arguments.training, [&progress](double done) { progress.Say(done); }, &report);
+  std::mutex mutex;  // of progress and done_1
+  double done_1 = 0.0;
+  const auto for_each = [&](double share_1, int count, const std::function<void(int)>& task) {
+    ParallelFor(arguments.jobs, count, [&](int k) {
+      task(k);
+      const std::lock_guard lock(mutex);
+      done_1 += share_1 / count;
+      progress.Say(done_1);
+    });
+  };
+  const evaluation::OwnedForest forest =
+      evaluation::TrainForest(arguments.training, for_each, &report);
   const Status written = config::WriteFileAtomically(
       arguments.output, evaluation::ForestSource(forest, arguments.training));
   if (!written.ok()) {
@@ -56,9 +69,14 @@ void AddTrainCommand(CLI::App& app, int* exit_code) {
   command->add_option("--depth", training.depth, "of the deepest tree")
       ->check(CLI::Range(1, 25))
       ->capture_default_str();
+  command
+      ->add_option("--jobs", arguments->jobs, "scans made and groups of ten trees grown at a time")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
   command->add_option("-o,--output", arguments->output, "C++ source of the forest")->required();
   command->footer(
-      "Same options, same bytes. To use it: geon train -o common/recognition/trained_forest.inc, "
+      "Same options, same bytes, whatever the number of jobs. To use it: geon train --jobs 2 -o "
+      "common/recognition/trained_forest.inc, "
       "then build again.");
   command->callback([arguments, exit_code] { *exit_code = Train(*arguments); });
 }

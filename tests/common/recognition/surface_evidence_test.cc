@@ -5,29 +5,16 @@
 #include <cmath>
 #include <functional>
 
-#include "geometry/rigid_transform.h"
+#include "base/angles.h"
 #include "tests/common/recognition/evidence_of.h"
+#include "tests/common/recognition/surface_view.h"
 
 namespace geon::recognition {
 namespace {
 
-// Six stripes of 20 cm on a surface about 1 m before a level camera, that stands out towards it by
-// height_m(y, z - 0.5).
 EvidenceList Describe(const std::function<double(double, double)>& height_m) {
-  const Eigen::Vector3d p_LB_m(0.0, 0.0, 0.5);
-  std::vector<TargetStripe> stripes(6);
-  for (int k = 0; k < 3; ++k) {
-    const double at_m = 0.05 * (1 - k);
-    for (int i = 0; i <= 200; ++i) {
-      const double along_m = 0.1 - 0.001 * i;  // from left to right, from above to below
-      stripes[static_cast<size_t>(k)].p_L_m.emplace_back(1.0 - height_m(along_m, at_m), along_m,
-                                                         0.5 + at_m);
-      stripes[static_cast<size_t>(3 + k)].p_L_m.emplace_back(1.0 - height_m(at_m, along_m), at_m,
-                                                             0.5 + along_m);
-    }
-  }
   EvidenceList evidence(true);
-  AddSurfaceEvidence(stripes, p_LB_m, geometry::CameraAxesInBody(), 0.2, &evidence);
+  AddSurfaceEvidence(FindCrossings(ViewOfSurface(height_m)), 0.2, &evidence);
   return evidence;
 }
 
@@ -51,10 +38,18 @@ TEST(SurfaceEvidence, ACylinderCurvesOneWayASphereBoth) {
   EXPECT_NEAR(ValueOf(ball, ".along_columns_rank_2"), 1.0, 0.1);
 }
 
+TEST(SurfaceEvidence, TheFacesOfARidgeStandAskewUnlessItIsARightAngle) {
+  const auto ridge = [](double steepness) {
+    return Describe([=](double y_m, double) { return -steepness * std::abs(y_m - 0.02); });
+  };
+  EXPECT_NEAR(ValueOf(ridge(1.0), ".skew_max"), 0.0, 0.03);
+  EXPECT_NEAR(ValueOf(ridge(0.5), ".skew_max"), kPi / 2 - 2.0 * std::atan(0.5), 0.03);
+  EXPECT_NEAR(ValueOf(ridge(0.5), ".lean_max"), 0.0, 0.03) << "both faces are upright";
+}
+
 TEST(SurfaceEvidence, WithoutCrossingsThereIsNothing) {
   EvidenceList evidence(true);
-  AddSurfaceEvidence(std::vector<TargetStripe>(6), Eigen::Vector3d::Zero(),
-                     Eigen::Matrix3d::Identity(), 0.2, &evidence);
+  AddSurfaceEvidence(CrossingGrid(), 0.2, &evidence);
   EXPECT_EQ(ValueOf(evidence, ".crossings"), 0.0);
   EXPECT_EQ(evidence.values().size(), Describe([](double, double) { return 0.0; }).values().size());
 }
