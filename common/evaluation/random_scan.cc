@@ -17,10 +17,6 @@ using geons::GeonShape;
 // Fine enough that a facet of a round surface stays within 0.05 mm of it.
 constexpr geons::MeshResolution kResolution{128, 96};
 
-double Uniform(std::mt19937_64& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
 Eigen::Vector3d RandomSize(GeonLabel label, std::mt19937_64& random) {
   const auto between = [&random](double low_m, double high_m) {
     return Uniform(random, low_m, high_m);

@@ -14,10 +14,6 @@
 namespace geon::evaluation {
 namespace {
 
-double Uniform(std::mt19937_64& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
 struct Setting {
   ViewOptions view;
   FaultOptions faults;

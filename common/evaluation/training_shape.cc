@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/angles.h"
+#include "evaluation/trial_random.h"
 #include "geometry/rigid_transform.h"
 #include "geons/geon_shape.h"
 #include "geons/polygon_geon.h"
@@ -19,11 +20,8 @@ using geometry::RotationAboutY;
 using geons::GeonShape;
 using geons::TriangleMesh;
 
-constexpr geons::MeshResolution kResolution{128, 96};
+constexpr geons::MeshResolution kTrainingResolution{128, 96};
 
-double Uniform(std::mt19937_64& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
 double LogUniform(std::mt19937_64& random, double low, double high) {
   return std::exp(Uniform(random, std::log(low), std::log(high)));
 }
@@ -95,7 +93,7 @@ TriangleMesh MakeSuperquadric(const Upright& shape, std::mt19937_64& random) {
   const bool ellipsoid = shape.label == GeonLabel::kEllipsoid;
   superquadric.profile_exponent_1 = ellipsoid ? Uniform(random, 0.85, 1.15) : edge_1;
   superquadric.section_exponent_1 = geons::IsRound(shape.label) ? 1.0 : edge_1;
-  return geons::SuperquadricMesh(superquadric, kResolution);
+  return geons::SuperquadricMesh(superquadric, kTrainingResolution);
 }
 
 // The box or prism whose deformation is the shape; a bent one and an ellipsoid as they are.

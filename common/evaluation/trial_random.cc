@@ -17,4 +17,8 @@ std::mt19937_64 TrialRandom(uint64_t seed, uint64_t t) {
   return std::mt19937_64(Mix(Mix(seed) + t));
 }
 
+double Uniform(std::mt19937_64& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
 }  // namespace geon::evaluation

@@ -15,7 +15,7 @@ namespace {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-constexpr size_t kFewest = 12;
+constexpr size_t kFewestOnCone = 12;
 // Of Tukey's biweight, in tolerances, one step each.
 constexpr std::array<double, 5> kWidths = {20.0, 12.0, 7.0, 5.0, 4.0};
 constexpr int kLastSteps = 3;
@@ -145,7 +145,7 @@ double Misfit(std::span<const Eigen::Vector3d> points_m, double tolerance_m, con
 Cone FitCone(std::span<const Eigen::Vector3d> given_m, std::span<const OrientedPoint> oriented,
              double tolerance_m) {
   Cone best;
-  if (given_m.size() < kFewest) return best;
+  if (given_m.size() < kFewestOnCone) return best;
   Eigen::Vector3d middle_m = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p_m : given_m) middle_m += p_m / static_cast<double>(given_m.size());
   std::vector<Eigen::Vector3d> points_m(given_m.begin(), given_m.end());

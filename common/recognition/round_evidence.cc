@@ -9,7 +9,7 @@ namespace geon::recognition {
 namespace {
 
 constexpr size_t kPointsOfStripe = 15;
-constexpr double kTolerance_1 = 0.006;  // of the scale
+constexpr double kConeTolerance_1 = 0.006;  // of the scale
 constexpr double kNoises = 1.5;
 
 struct Sample {
@@ -51,7 +51,7 @@ void AddRoundEvidence(const std::vector<TargetStripe>& stripes, const CrossingGr
                       double scale_m, EvidenceList* evidence) {
   const Sample sample = SamplePoints(stripes);
   Cone cone = FitCone(sample.points_m, Oriented(grid),
-                      std::max(kNoises * sample.noise_m, kTolerance_1 * scale_m));
+                      std::max(kNoises * sample.noise_m, kConeTolerance_1 * scale_m));
   if (cone.axis_L.z() < 0.0) {
     cone.axis_L = -cone.axis_L;
     cone.slope_1 = -cone.slope_1;

@@ -9,8 +9,8 @@ namespace geon::recognition {
 namespace {
 
 constexpr size_t kBreaks = 24;
-constexpr double kTolerance_1 = 0.003;  // of the stripe's length
-constexpr size_t kFewest = 8;
+constexpr double kStraightTolerance_1 = 0.003;  // of the stripe's length
+constexpr size_t kFewestOfStripe = 8;
 
 // The inner breaks of the best fit by 1, 2 or 3 lines, and its sum of squares.
 struct Fit {
@@ -56,10 +56,10 @@ Eigen::Vector3d Direction(const TargetStripe& stripe, size_t begin, size_t end) 
 
 std::vector<StraightPiece> FindStraightPieces(const TargetStripe& stripe) {
   const size_t n = stripe.curve_m.size();
-  if (n < kFewest) return {};
+  if (n < kFewestOfStripe) return {};
   const std::array<Fit, 3> fits = BestFits(stripe.curve_m);
   const double length_m = (stripe.curve_m.back() - stripe.curve_m.front()).norm();
-  const double tolerance_m = std::max(stripe.noise_m, kTolerance_1 * length_m);
+  const double tolerance_m = std::max(stripe.noise_m, kStraightTolerance_1 * length_m);
   const double enough = tolerance_m * tolerance_m * static_cast<double>(n);
   size_t lines = 0;
   while (lines < 2 && fits[lines].squares > enough) ++lines;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kReach_m = 0.03;        // points further from z = 0 are not support
 constexpr double kReachWithin_m = 0.02;  // ... within the region of interest, where the target is
-constexpr size_t kFewest = 40;
+constexpr size_t kFewestOnSupport = 40;
 constexpr double kTiltPrior_rad = RadiansFromDegrees(3.0);
 constexpr double kOffsetPrior_m = 0.01;
 constexpr double kPointSigma_m = 0.003;
@@ -70,7 +70,7 @@ Eigen::Vector3d Refit(const std::vector<Eigen::Vector3d>& points_m, const Eigen:
 std::optional<SupportPlane> FitSupportPlane(const sensor::ScanSet& scan,
                                             const std::optional<VerticalRegion>& region) {
   std::vector<Eigen::Vector3d> points_m = Candidates(scan, region);
-  if (points_m.size() < kFewest) return std::nullopt;
+  if (points_m.size() < kFewestOnSupport) return std::nullopt;
   const size_t every = (points_m.size() + kEnough - 1) / kEnough;
   for (size_t i = 0; i * every < points_m.size(); ++i) points_m[i] = points_m[i * every];
   points_m.resize((points_m.size() + every - 1) / every);
@@ -90,7 +90,7 @@ std::optional<SupportPlane> FitSupportPlane(const sensor::ScanSet& scan,
     const double above_m = std::abs(Above(plane, p_m));
     if (above_m < kTukey_m.back()) off_m.push_back(above_m);
   }
-  if (off_m.size() * every < kFewest) return std::nullopt;
+  if (off_m.size() * every < kFewestOnSupport) return std::nullopt;
   const auto median = off_m.begin() + static_cast<std::ptrdiff_t>(off_m.size() / 2);
   std::nth_element(off_m.begin(), median, off_m.end());
   constexpr double kMedianOfMagnitude = 0.6745;  // of a normal variable, in sigmas
