@@ -18,7 +18,7 @@ namespace {
 
 using recognition::ForestNode;
 
-constexpr double kDecidedShare = 0.96;  // of the answers to ordinary scans should count as decided
+constexpr double kDecidedRight_1 = 0.999;  // of the decided answers to ordinary scans are right
 constexpr int kOrdinaryShare = 3;       // one ordinary scan for so many to calibrate on
 constexpr int kFewestToSplit = 8;
 constexpr int kTriedAtSplit = 40;  // measurements; the square root of all would be 21
@@ -179,15 +179,21 @@ std::vector<Confidence> Confidences(const std::vector<Answer>& answers, double s
   return confidences;
 }
 
-// The posterior that kDecidedShare of the answers reach.
+// The least posterior from which on kDecidedRight_1 of the answers are right.
 double DecidedFrom(std::vector<Confidence> confidences) {
-  const auto at = confidences.begin() +
-                  static_cast<std::ptrdiff_t>((1.0 - kDecidedShare) *
-                                              static_cast<double>(confidences.size() - 1));
-  std::nth_element(
-      confidences.begin(), at, confidences.end(),
-      [](const Confidence& a, const Confidence& b) { return a.posterior_1 < b.posterior_1; });
-  return at->posterior_1;
+  std::sort(confidences.begin(), confidences.end(), [](const Confidence& a, const Confidence& b) {
+    return a.posterior_1 > b.posterior_1 || (a.posterior_1 == b.posterior_1 && a.right < b.right);
+  });
+  double decided_1 = 1.0, wrong = 0.0;
+  for (size_t k = 0; k < confidences.size(); ++k) {
+    if (!confidences[k].right) wrong += 1.0;
+    const bool last_of_equals =
+        k + 1 == confidences.size() || confidences[k + 1].posterior_1 < confidences[k].posterior_1;
+    if (last_of_equals && wrong <= (1.0 - kDecidedRight_1) * static_cast<double>(k + 1)) {
+      decided_1 = confidences[k].posterior_1;
+    }
+  }
+  return decided_1;
 }
 
 TrainingReport Report(const std::vector<Confidence>& confidences, double decided_1) {
