@@ -42,7 +42,7 @@ table .number{white-space:nowrap}
 .view-card .reasons{font-size:14px;line-height:1.4}.view-card .reasons li{margin:3px 0}
 .view-card h4{font-size:13px;margin:0 0 4px;font-weight:600;color:var(--muted)}
 .view-card .posterior{font-size:14px;line-height:1.35}
-.view-card .posterior .row{grid-template-columns:132px 1fr 42px}
+.view-card .posterior .row{grid-template-columns:132px 1fr 52px}
 @media (max-width:1000px){.view-card{grid-template-columns:1fr 1fr}}
 @media (max-width:700px){.view-card{grid-template-columns:1fr}}
 .profiles{display:grid;grid-template-columns:repeat(3,1fr);gap:8px}

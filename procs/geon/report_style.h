@@ -35,7 +35,7 @@ svg text{font:11px system-ui,sans-serif;fill:var(--muted)}
 .floor,.axis{stroke:var(--line);stroke-width:1}.scale{stroke:var(--muted);stroke-width:2}
 .theta{fill:none;stroke:var(--accent);stroke-width:1.6}.zero-range{fill:var(--accent-soft)}
 .reasons{padding-left:20px;margin:6px 0}.reasons li{margin:6px 0}
-.posterior .row{display:grid;grid-template-columns:130px 1fr 48px;gap:8px;align-items:center}
+.posterior .row{display:grid;grid-template-columns:130px 1fr 56px;gap:8px;align-items:center}
 .track{height:9px;background:var(--line);border-radius:5px;overflow:hidden}
 .track i{display:block;height:100%;background:var(--muted)}
 .chosen{font-weight:650}.chosen .track i{background:var(--accent)}
