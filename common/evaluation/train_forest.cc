@@ -19,7 +19,7 @@ namespace {
 using recognition::ForestNode;
 
 constexpr double kDecidedRight_1 = 0.999;  // of the decided answers to ordinary scans are right
-constexpr int kOrdinaryShare = 3;       // one ordinary scan for so many to calibrate on
+constexpr int kOrdinaryShare = 3;          // one ordinary scan for so many to calibrate on
 constexpr int kFewestToSplit = 8;
 constexpr int kTriedAtSplit = 40;  // measurements; the square root of all would be 21
 constexpr int kTreesOfGroup = 10;
