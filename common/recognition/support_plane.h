@@ -17,10 +17,9 @@ struct SupportPlane {
   int points = 0;            // that lie on it
 };
 
-// Where the support lies: z = 0 in frame L, were head, wheels and table exact. Real ones lean by a
-// few degrees and lie some millimetres off, so that support is taken for target and every slope of
-// the target is wrong by as much. Nothing when fewer than 40 points lie near z = 0, as on a scan
-// whose support was cut away.
+// Where the support lies: z = 0 in frame L, were head, wheels and table exact. Where it leans or
+// lies off, support is taken for target and every slope of the target is wrong by as much. Nothing
+// when fewer than 40 points lie near z = 0, as on a scan whose support was cut away.
 //
 // Source: Holland and Welsch, "Robust regression using iteratively reweighted least-squares", 1977
 // (Tukey's biweight), with z = 0 as a prior of 3 degrees and 10 mm; the thesis (5.1) trusts z = 0.
