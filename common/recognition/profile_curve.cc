@@ -9,15 +9,6 @@
 namespace geon::recognition {
 namespace {
 
-sensor::RangeProfile Part(const sensor::RangeProfile& profile, size_t begin, size_t end) {
-  sensor::RangeProfile part = profile;
-  const auto b = static_cast<std::ptrdiff_t>(begin);
-  const auto e = static_cast<std::ptrdiff_t>(end);
-  part.pixel.assign(profile.pixel.begin() + b, profile.pixel.begin() + e);
-  part.p_L_m.assign(profile.p_L_m.begin() + b, profile.p_L_m.begin() + e);
-  return part;
-}
-
 double Extent(std::span<const Eigen::Vector3d> p_L_m, PointRange range) {
   return (p_L_m[range.end - 1] - p_L_m[range.begin]).norm();
 }
@@ -53,15 +44,6 @@ std::vector<PointRange> FindSegments(std::span<const Eigen::Vector3d> p_L_m,
   return segments;
 }
 
-std::vector<sensor::RangeProfile> SplitIntoSegments(const sensor::RangeProfile& profile,
-                                                    const SegmentOptions& options) {
-  std::vector<sensor::RangeProfile> segments;
-  for (const PointRange& range : FindSegments(profile.p_L_m, options)) {
-    segments.push_back(Part(profile, range.begin, range.end));
-  }
-  return segments;
-}
-
 std::vector<Eigen::Vector2d> PlaneCurve(std::span<const Eigen::Vector3d> p_L_m, sensor::Laser laser,
                                         const Eigen::Matrix3d& R_LB) {
   const Eigen::Vector3d along_L = R_LB.col(laser == sensor::Laser::kVertical ? 1 : 0);
@@ -71,16 +53,6 @@ std::vector<Eigen::Vector2d> PlaneCurve(std::span<const Eigen::Vector3d> p_L_m, 
     curve_m[i] = {along_L.dot(p_L_m[i]), -forward_L.dot(p_L_m[i])};
   }
   return curve_m;
-}
-
-std::vector<Eigen::Vector2d> PlaneCurve(const sensor::RangeProfile& profile,
-                                        const Eigen::Matrix3d& R_LB) {
-  return PlaneCurve(profile.p_L_m, profile.laser, R_LB);
-}
-
-std::vector<Eigen::Vector2d> ResampleEqualArc(std::span<const Eigen::Vector2d> curve_m,
-                                              int samples) {
-  return ResampleEqualArc(curve_m, ArcLengths(curve_m), samples);
 }
 
 std::vector<Eigen::Vector2d> ResampleEqualArc(std::span<const Eigen::Vector2d> curve_m,

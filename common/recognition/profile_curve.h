@@ -31,26 +31,19 @@ struct PointRange {
 // The parts of a profile that hang together, in the order of its pixels (figure 5.10).
 std::vector<PointRange> FindSegments(std::span<const Eigen::Vector3d> p_L_m,
                                      const SegmentOptions& options);
-// The same as profiles of their own.
-std::vector<sensor::RangeProfile> SplitIntoSegments(const sensor::RangeProfile& profile,
-                                                    const SegmentOptions& options);
 
 // The profile as the plane curve that the thesis draws: abscissa along the stripe (x of the B/W
 // camera for a horizontal stripe, y for a vertical one), ordinate towards the camera (-z), metres.
 // Walked in the order of its pixels a convex surface turns clockwise.
-std::vector<Eigen::Vector2d> PlaneCurve(const sensor::RangeProfile& profile,
-                                        const Eigen::Matrix3d& R_LB);
 std::vector<Eigen::Vector2d> PlaneCurve(std::span<const Eigen::Vector3d> p_L_m, sensor::Laser laser,
                                         const Eigen::Matrix3d& R_LB);
 
 // `samples` points at equal steps of arc length, each the mean of the curve over its own step.
+// `arc_m` is the curve's ArcLengths.
 //
 // Not in the thesis, which counts W and M in pixels: with 1 mm of noise and half a millimetre
 // between pixels the slope of ten pixels is noise. Equal arcs make W and M fractions of the
 // profile, whatever the distance and the camera's resolution.
-std::vector<Eigen::Vector2d> ResampleEqualArc(std::span<const Eigen::Vector2d> curve_m,
-                                              int samples);
-// The same when the curve's ArcLengths are known.
 std::vector<Eigen::Vector2d> ResampleEqualArc(std::span<const Eigen::Vector2d> curve_m,
                                               std::span<const double> arc_m, int samples);
 

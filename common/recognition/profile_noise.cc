@@ -28,9 +28,4 @@ double DepthNoise(std::span<const int> pixel, std::span<const double> depth_m) {
   return Median(std::move(differences_m)) / (kMedianOfMagnitude * third_difference);
 }
 
-double DepthNoise(const sensor::RangeProfile& profile, const Eigen::Vector3d& p_LB_m,
-                  const Eigen::Matrix3d& R_LB) {
-  return DepthNoise(profile.pixel, ProfileDepths(profile.p_L_m, p_LB_m, R_LB));
-}
-
 }  // namespace geon::recognition

@@ -4,8 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "sensor/scan_set.h"
-
 namespace geon::recognition {
 
 // Depths of points along z of the B/W camera, which stands at `p_LB_m` with axes `R_LB`, metres.
@@ -15,15 +13,12 @@ std::vector<double> ProfileDepths(std::span<const Eigen::Vector3d> p_L_m,
                                   const Eigen::Vector3d& p_LB_m, const Eigen::Matrix3d& R_LB);
 
 // Standard deviation of a profile's depth (z of the B/W camera) from pixel to pixel, in metres,
-// measured on the profile itself before smoothing.
+// measured on the profile itself before smoothing; a depth for each of `pixel`.
 //
 // Not in the thesis, which has one sensor at about one distance: its thresholds, in absolute
 // figures, would call noise a curve at 1.6 m, where it is 2.5 times that at 1.0 m.
 // Source: third differences of neighbouring pixels cancel every parabola; their median magnitude is
 // not moved by edges and spikes. 0 when fewer than four neighbouring pixels are there.
-double DepthNoise(const sensor::RangeProfile& profile, const Eigen::Vector3d& p_LB_m,
-                  const Eigen::Matrix3d& R_LB);
-// The same when the depths are known: one for each of `pixel`.
 double DepthNoise(std::span<const int> pixel, std::span<const double> depth_m);
 
 }  // namespace geon::recognition

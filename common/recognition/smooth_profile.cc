@@ -5,7 +5,6 @@
 
 #include "base/contracts.h"
 #include "recognition/median.h"
-#include "recognition/profile_noise.h"
 
 namespace geon::recognition {
 namespace {
@@ -63,18 +62,6 @@ std::vector<Eigen::Vector3d> MoveAlongRays(std::span<const Eigen::Vector3d> p_L_
     moved_L_m[i] = p_LB_m + (p_L_m[i] - p_LB_m) * (smooth_m[i] / depth_m[i]);
   }
   return moved_L_m;
-}
-
-sensor::RangeProfile SmoothProfile(const sensor::RangeProfile& profile,
-                                   const Eigen::Vector3d& p_LB_m, const Eigen::Matrix3d& R_LB,
-                                   const SmoothingOptions& options) {
-  options.Validate();
-  sensor::RangeProfile smooth = profile;
-  if (options.kind == Smoothing::kNone) return smooth;
-  const std::vector<double> depth_m = ProfileDepths(profile.p_L_m, p_LB_m, R_LB);
-  smooth.p_L_m =
-      MoveAlongRays(profile.p_L_m, depth_m, SmoothDepths(profile.pixel, depth_m, options), p_LB_m);
-  return smooth;
 }
 
 }  // namespace geon::recognition

@@ -81,12 +81,10 @@ constexpr const char* kGuide =
     "from one side, six laser stripes are measured on it, and the recogniser says which of seven "
     "shapes it is and how confident it is. <b style=\"color:#2171b5\">Blue</b> is right, <b "
     "style=\"color:#a63603\">orange</b> is wrong, darker is more, grey is none. Rest the mouse on "
-    "a "
-    "cell for its counts. A rate stands with its 95&nbsp;% interval (Wilson): an experiment like "
-    "this "
-    "one, repeated with other noise, would mostly end up in there. An answer is <i>decided</i> "
-    "when "
-    "the recogniser stands by it; the others are guesses that a robot had better not act on.</p>";
+    "a cell for its counts. A rate stands with its 95&nbsp;% interval (Wilson): an experiment like "
+    "this one, repeated with other noise, would mostly end up in there. An answer is "
+    "<i>decided</i> when the recogniser stands by it; the others are guesses that a robot had "
+    "better not act on.</p>";
 
 std::string ReliabilitySection(const Reliability& reliability) {
   return "<h2>Is the confidence to be believed?</h2><div class=\"two\">" +

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "geometry/rigid_transform.h"
+#include "sensor/scan_set.h"
 
 namespace geon::recognition {
 namespace {
@@ -24,7 +25,8 @@ sensor::RangeProfile Parabola(double noise_m, int count) {
 }
 
 double Noise(const sensor::RangeProfile& profile) {
-  return DepthNoise(profile, Eigen::Vector3d::Zero(), geometry::CameraAxesInBody());
+  return DepthNoise(profile.pixel, ProfileDepths(profile.p_L_m, Eigen::Vector3d::Zero(),
+                                                 geometry::CameraAxesInBody()));
 }
 
 TEST(DepthNoise, IsMeasuredWhateverTheSlopeAndCurvature) {

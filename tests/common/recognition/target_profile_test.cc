@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/rigid_transform.h"
+#include "recognition/profile_noise.h"
 
 namespace geon::recognition {
 namespace {
@@ -41,12 +42,15 @@ TEST(FindTargetProfile, IsTheSameAsItsStagesOneAfterTheOther) {
   for (Smoothing kind : {Smoothing::kNone, Smoothing::kMedian, Smoothing::kGaussian}) {
     SmoothingOptions smoothing;
     smoothing.kind = kind;
-    const auto smooth =
-        SmoothProfile(scan.profiles[0], scan.camera_position_L_m, scan.rotation_LB, smoothing);
-    const auto clean = RemoveBackground(smooth, scan, region, {});
+    const sensor::RangeProfile& profile = scan.profiles[0];
+    const auto depth_m = ProfileDepths(profile.p_L_m, scan.camera_position_L_m, scan.rotation_LB);
+    auto p_L_m =
+        MoveAlongRays(profile.p_L_m, depth_m, SmoothDepths(profile.pixel, depth_m, smoothing),
+                      scan.camera_position_L_m);
+    DropBackground(scan, region, {}, &p_L_m);
     const TargetProfile target = Find(scan, region, smoothing);
-    EXPECT_EQ(target.p_L_m, clean.p_L_m);
-    EXPECT_EQ(target.segments.size(), SplitIntoSegments(clean, {}).size());
+    EXPECT_EQ(target.p_L_m, p_L_m);
+    EXPECT_EQ(target.segments.size(), FindSegments(p_L_m, {}).size());
   }
 }
 
