@@ -4,30 +4,15 @@
 #include <cmath>
 
 #include "base/contracts.h"
+#include "recognition/line_moments.h"
 
 namespace geon::recognition {
 namespace {
 
-// Sums over the first k points, relative to the first point of all.
-struct Moments {
-  double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
-};
-
-std::vector<Moments> CumulativeMoments(std::span<const Eigen::Vector2d> curve_m) {
-  std::vector<Moments> sums(curve_m.size() + 1);
-  for (size_t i = 0; i < curve_m.size(); ++i) {
-    const Eigen::Vector2d p = curve_m[i] - curve_m[0];
-    const Moments& s = sums[i];
-    sums[i + 1] = {s.x + p.x(), s.y + p.y(), s.xx + p.x() * p.x(), s.xy + p.x() * p.y(),
-                   s.yy + p.y() * p.y()};
-  }
-  return sums;
-}
-
-// Direction, of any length, of the total-least-squares line through points with the scatter
-// (xx, xy; xy, yy): twice its angle is that of (xx - yy, 2 xy), which is halved without an angle.
-Eigen::Vector2d LineDirection(double xx, double xy, double yy) {
-  const double cosine = xx - yy, sine = 2.0 * xy;
+// Direction, of any length, of the total-least-squares line through points: twice its angle is that
+// of (xx - yy, 2 xy), which is halved without an angle.
+Eigen::Vector2d LineDirection(const Scatter& scatter) {
+  const double cosine = scatter.xx - scatter.yy, sine = 2.0 * scatter.xy;
   const double length = std::sqrt(cosine * cosine + sine * sine);
   if (length == 0.0) return Eigen::Vector2d::UnitX();
   return cosine >= 0.0 ? Eigen::Vector2d(length + cosine, sine)
@@ -37,15 +22,10 @@ Eigen::Vector2d LineDirection(double xx, double xy, double yy) {
 // Direction of the line through each `window` successive points, along the walk.
 std::vector<Eigen::Vector2d> FittedDirections(std::span<const Eigen::Vector2d> curve_m,
                                               size_t window) {
-  const std::vector<Moments> sums = CumulativeMoments(curve_m);
-  const double share = 1.0 / static_cast<double>(window);
+  const std::vector<LineMoments> until = RunningMoments(curve_m);
   std::vector<Eigen::Vector2d> directions(curve_m.size() + 1 - window);
   for (size_t begin = 0; begin < directions.size(); ++begin) {
-    const Moments& a = sums[begin];
-    const Moments& b = sums[begin + window];
-    const double x = b.x - a.x, y = b.y - a.y;
-    const Eigen::Vector2d line = LineDirection(
-        b.xx - a.xx - share * x * x, b.xy - a.xy - share * x * y, b.yy - a.yy - share * y * y);
+    const Eigen::Vector2d line = LineDirection((until[begin + window] - until[begin]).AboutMean());
     const Eigen::Vector2d walk = curve_m[begin + window - 1] - curve_m[begin];
     directions[begin] = line.dot(walk) < 0.0 ? Eigen::Vector2d(-line) : line;
   }

@@ -8,6 +8,11 @@
 
 namespace geon::recognition {
 
+// How points spread about a centre: sums of squares and products.
+struct Scatter {
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+};
+
 // Sums over a run of points; the difference of two gives the run between them, so that lines can be
 // fitted to all runs of a curve in one pass.
 //
@@ -26,21 +31,28 @@ struct LineMoments {
     xy += p.x() * p.y();
     yy += p.y() * p.y();
   }
+  // Sums of squares and products about the mean.
+  Scatter AboutMean() const {
+    const double share = 1.0 / n;
+    return {xx - share * x * x, xy - share * x * y, yy - share * y * y};
+  }
   // Sum of squared distances from the best line (the scatter's smaller eigenvalue).
   double LineResidual() const {
     if (n < 1.0) return 0.0;
-    const double a = xx - x * x / n, b = xy - x * y / n, c = yy - y * y / n;
+    const auto [a, b, c] = AboutMean();
     return std::max(0.0, 0.5 * (a + c - std::sqrt((a - c) * (a - c) + 4.0 * b * b)));
   }
 };
 
 // The moments of the first 0, 1, ... n points, taken from the first.
 inline std::vector<LineMoments> RunningMoments(std::span<const Eigen::Vector2d> points) {
-  std::vector<LineMoments> until(1);
+  std::vector<LineMoments> until;
   until.reserve(points.size() + 1);
+  LineMoments sums;
+  until.push_back(sums);
   for (const Eigen::Vector2d& p : points) {
-    until.push_back(until.back());
-    until.back().Add(p - points.front());
+    sums.Add(p - points.front());
+    until.push_back(sums);
   }
   return until;
 }
