@@ -29,14 +29,14 @@ double Scale(const std::vector<TargetStripe>& stripes) {
   return std::max(kSmallestScale_m, count > 0.0 ? sum_m / count : 0.0);
 }
 
-void AddViewEvidence(const std::vector<TargetStripe>& stripes, const Eigen::Vector3d& p_LB_m,
-                     const Eigen::Matrix3d& R_LB, double scale_m, EvidenceList* evidence) {
+void AddViewEvidence(const std::vector<TargetStripe>& stripes, const BwCamera& camera,
+                     double scale_m, EvidenceList* evidence) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double lowest_m = kInfinity, highest_m = -kInfinity, nearest_m = kInfinity, farthest_m = 0.0;
   double noise_m = 0.0, seen = 0.0, segments = 0.0;
   for (const TargetStripe& stripe : stripes) {
     for (const Eigen::Vector3d& p_L : stripe.p_L_m) {
-      const double depth_m = R_LB.col(2).dot(p_L - p_LB_m);
+      const double depth_m = camera.InCamera(p_L).z();
       nearest_m = std::min(nearest_m, depth_m);
       farthest_m = std::max(farthest_m, depth_m);
       lowest_m = std::min(lowest_m, p_L.z());
@@ -55,7 +55,7 @@ void AddViewEvidence(const std::vector<TargetStripe>& stripes, const Eigen::Vect
   evidence->Add("distance_m", any ? nearest_m : 0.0);
   evidence->Add("depth", any ? (farthest_m - nearest_m) / scale_m : 0.0);
   evidence->Add("height", any ? (highest_m - lowest_m) / scale_m : 0.0);
-  evidence->Add("elevation", std::asin(std::clamp(-R_LB(2, 2), -1.0, 1.0)));
+  evidence->Add("elevation", std::asin(std::clamp(-camera.R_LB(2, 2), -1.0, 1.0)));
 }
 
 }  // namespace
@@ -70,20 +70,23 @@ EvidenceList MeasureEvidence(const TargetView& view, bool with_names) {
     evidence.BeginGroup(kGroups[k]);
     AddStripeEvidence(stripes[k], scale_m, &evidence);
   }
-  AddOutlineEvidence(stripes, view.p_LB_m, view.R_LB, scale_m, &evidence);
+  AddOutlineEvidence(stripes, view.camera, scale_m, &evidence);
   const CrossingGrid grid = FindCrossings(view);
   evidence.BeginGroup("surface");
   AddSurfaceEvidence(grid, scale_m, &evidence);
   evidence.BeginGroup("round");
   AddRoundEvidence(stripes, grid, scale_m, &evidence);
   evidence.BeginGroup("view");
-  AddViewEvidence(stripes, view.p_LB_m, view.R_LB, scale_m, &evidence);
+  AddViewEvidence(stripes, view.camera, scale_m, &evidence);
   return evidence;
 }
 
 EvidenceList MeasureScan(const sensor::ScanSet& scan, const RecognitionOptions& options,
                          bool with_names) {
-  return MeasureEvidence(FindTargetView(scan, options.background, options.segments), with_names);
+  const auto region = FindVerticalRegion(scan, options.background);
+  const TargetView view = FindTargetView(scan, region, FindRegionProfiles(scan, region),
+                                         options.background, options.segments);
+  return MeasureEvidence(view, with_names);
 }
 
 }  // namespace geon::recognition

@@ -96,8 +96,8 @@ void AddConvergence(const Side& first, const Side& last, double scale_m, Evidenc
 
 }  // namespace
 
-void AddOutlineEvidence(const std::vector<TargetStripe>& stripes, const Eigen::Vector3d& p_LB_m,
-                        const Eigen::Matrix3d& R_LB, double scale_m, EvidenceList* evidence) {
+void AddOutlineEvidence(const std::vector<TargetStripe>& stripes, const BwCamera& camera,
+                        double scale_m, EvidenceList* evidence) {
   for (int direction = 0; direction < 2; ++direction) {
     Side first, last;
     first.across = last.across = direction;
@@ -109,8 +109,8 @@ void AddOutlineEvidence(const std::vector<TargetStripe>& stripes, const Eigen::V
       if (!complete) break;
       first.p_L_m[k] = stripe.p_L_m.front();
       last.p_L_m[k] = stripe.p_L_m.back();
-      first.p_B_m[k] = R_LB.transpose() * (first.p_L_m[k] - p_LB_m);
-      last.p_B_m[k] = R_LB.transpose() * (last.p_L_m[k] - p_LB_m);
+      first.p_B_m[k] = camera.InCamera(first.p_L_m[k]);
+      last.p_B_m[k] = camera.InCamera(last.p_L_m[k]);
     }
     const char* names[] = {"left", "right", "top", "bottom", "horizontal", "vertical"};
     if (!complete) {

@@ -20,12 +20,10 @@ struct ProfileEnds {
 };
 
 // The ends of all horizontal (or vertical) profiles that show the target, by rising fraction.
-// `p_LB_m` and `R_LB` are the B/W camera in frame L.
 //
 // Lengths are taken across the image, like the distances of figure 5.15: a length in space would
 // grow where a stripe runs in depth.
 std::vector<ProfileEnds> FindProfileEnds(std::span<const TargetProfile> profiles,
-                                         sensor::Laser laser, const Eigen::Vector3d& p_LB_m,
-                                         const Eigen::Matrix3d& R_LB);
+                                         sensor::Laser laser, const BwCamera& camera);
 
 }  // namespace geon::recognition

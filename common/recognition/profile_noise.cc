@@ -1,18 +1,11 @@
 #include "recognition/profile_noise.h"
 
 #include <cmath>
+#include <vector>
 
 #include "recognition/median.h"
 
 namespace geon::recognition {
-
-std::vector<double> ProfileDepths(std::span<const Eigen::Vector3d> p_L_m,
-                                  const Eigen::Vector3d& p_LB_m, const Eigen::Matrix3d& R_LB) {
-  const Eigen::Vector3d forward_L = R_LB.col(2);
-  std::vector<double> depth_m(p_L_m.size());
-  for (size_t i = 0; i < p_L_m.size(); ++i) depth_m[i] = forward_L.dot(p_L_m[i] - p_LB_m);
-  return depth_m;
-}
 
 double DepthNoise(std::span<const int> pixel, std::span<const double> depth_m) {
   std::vector<double> differences_m(pixel.size());

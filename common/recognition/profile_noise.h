@@ -1,16 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <span>
-#include <vector>
 
 namespace geon::recognition {
-
-// Depths of points along z of the B/W camera, which stands at `p_LB_m` with axes `R_LB`, metres.
-//
-// Source: the quantity that the rangefinder measures for each pixel, thesis (3.7-3.9).
-std::vector<double> ProfileDepths(std::span<const Eigen::Vector3d> p_L_m,
-                                  const Eigen::Vector3d& p_LB_m, const Eigen::Matrix3d& R_LB);
 
 // Standard deviation of a profile's depth (z of the B/W camera) from pixel to pixel, in metres,
 // measured on the profile itself before smoothing; a depth for each of `pixel`.

@@ -79,7 +79,7 @@ ProfileEvidence DescribeProfile(const TargetProfile& target, const sensor::ScanS
     evidence.points += static_cast<int>(range.size());
     const auto points_L_m = std::span(target.p_L_m).subspan(range.begin, range.size());
     SegmentCurve& segment = segments.emplace_back();
-    segment.curve_m = PlaneCurve(points_L_m, target.laser, target.rotation_LB);
+    segment.curve_m = PlaneCurve(points_L_m, target.laser, target.R_LB);
     segment.arc_m = ArcLengths(segment.curve_m);
     total_m += segment.arc_m.back();
   }
@@ -107,10 +107,9 @@ bool BothDirectionsSeen(const std::vector<ProfileEvidence>& profiles) {
 }
 
 // The forest's answer.
-void WeighEvidence(const sensor::ScanSet& scan, const RecognitionOptions& options,
-                   sensor::GeonVerdict* verdict) {
+void WeighEvidence(const TargetView& view, sensor::GeonVerdict* verdict) {
   const GeonForest& forest = TrainedForest();
-  const EvidenceList evidence = MeasureScan(scan, options);
+  const EvidenceList evidence = MeasureEvidence(view);
   verdict->posterior = PosteriorOfVotes(CountVotes(forest, evidence.values()), forest.sharpness_1);
   const auto most = std::max_element(verdict->posterior.begin(), verdict->posterior.end());
   verdict->label = static_cast<GeonLabel>(most - verdict->posterior.begin());
@@ -128,13 +127,14 @@ sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const Recognition
   verdict.scan_id = scan.scan_id;
   verdict.method = ToString(options.method);
 
-  // 1. and 2. Smoothing, background removal.
+  // 1. and 2. Smoothing, background removal: sideways, then below.
   const std::optional<VerticalRegion> region = FindVerticalRegion(scan, options.background);
+  const std::vector<RegionProfile> parts = FindRegionProfiles(scan, region);
   std::vector<TargetProfile> targets;
-  targets.reserve(scan.profiles.size());
-  for (const RangeProfile& profile : scan.profiles) {
-    targets.push_back(FindTargetProfile(profile, scan, region, options.smoothing,
-                                        options.background, options.segments));
+  targets.reserve(parts.size());
+  for (const RegionProfile& part : parts) {
+    targets.push_back(
+        FindTargetProfile(part, options.smoothing, options.background, options.segments));
   }
   // 3. Corners, curves and lines.
   verdict.profiles.reserve(targets.size());
@@ -143,9 +143,9 @@ sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const Recognition
   }
   // 4. Evidence of bending.
   const std::vector<ProfileEnds> horizontal =
-      FindProfileEnds(targets, Laser::kHorizontal, scan.camera_position_L_m, scan.rotation_LB);
+      FindProfileEnds(targets, Laser::kHorizontal, CameraAtTarget(scan));
   const std::vector<ProfileEnds> vertical =
-      FindProfileEnds(targets, Laser::kVertical, scan.camera_position_L_m, scan.rotation_LB);
+      FindProfileEnds(targets, Laser::kVertical, CameraAtTarget(scan));
   verdict.bending = FindBending(verdict.profiles, horizontal, vertical, options.bending);
   // 5. Evidence of tapering.
   verdict.tapering = FindTapering(horizontal, vertical, options.tapering);
@@ -154,7 +154,8 @@ sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const Recognition
   if (options.method == Method::kThesis) {
     DecideGeon(&verdict);
   } else {
-    WeighEvidence(scan, options, &verdict);
+    WeighEvidence(FindTargetView(scan, region, parts, options.background, options.segments),
+                  &verdict);
   }
   return verdict;
 }

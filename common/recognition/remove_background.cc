@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/contracts.h"
+#include "recognition/bw_camera.h"
 
 namespace geon::recognition {
 namespace {
@@ -16,18 +17,19 @@ struct ColumnScale {
 
 // The smallest spread of x/z that fixes the scale: a third of a degree.
 constexpr double kSmallestSpread = 0.005;
+// Of a stripe's points about so many tell the scale: they lie on their columns' viewing rays.
+constexpr size_t kEnoughOfStripe = 32;
 
 std::optional<ColumnScale> FitColumnScale(const sensor::ScanSet& scan) {
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;  // sums of tangents x and columns y
   for (const sensor::RangeProfile& profile : scan.profiles) {
     if (profile.laser != sensor::Laser::kHorizontal) continue;
-    const Eigen::Matrix3d R_LB = profile.rotation_LB.value_or(scan.rotation_LB);
-    const Eigen::Vector3d right_L = R_LB.col(0), forward_L = R_LB.col(2);
-    for (size_t i = 0; i < profile.p_L_m.size(); ++i) {
-      const Eigen::Vector3d p_BoP_L = profile.p_L_m[i] - scan.camera_position_L_m;
-      const double depth_m = forward_L.dot(p_BoP_L);
-      if (depth_m <= 0.0) continue;
-      const double tangent = right_L.dot(p_BoP_L) / depth_m;
+    const BwCamera camera = CameraAtStripe(scan, profile);
+    const size_t step = std::max<size_t>(profile.p_L_m.size() / kEnoughOfStripe, 1);
+    for (size_t i = 0; i < profile.p_L_m.size(); i += step) {
+      const Eigen::Vector3d p_B_m = camera.InCamera(profile.p_L_m[i]);
+      if (p_B_m.z() <= 0.0) continue;
+      const double tangent = Tangents(p_B_m).x();
       const double column_px = profile.pixel[i];
       n += 1.0;
       x += tangent;
@@ -42,30 +44,6 @@ std::optional<ColumnScale> FitColumnScale(const sensor::ScanSet& scan) {
   if (focal_px <= 0.0) return std::nullopt;
   return ColumnScale{(y - focal_px * x) / n, focal_px};
 }
-
-// FindTargetPoints for one point. Source: (5.1), (5.2) for the floor.
-class TargetTest {
- public:
-  TargetTest(const sensor::ScanSet& scan, const std::optional<VerticalRegion>& region)
-      : p_LB_m_(scan.camera_position_L_m),
-        right_L_(scan.rotation_LB.col(0)),
-        forward_L_(scan.rotation_LB.col(2)),
-        region_(region) {}
-
-  bool InRegion(const Eigen::Vector3d& p_L) const {
-    if (!region_) return true;
-    const Eigen::Vector3d p_BoP_L = p_L - p_LB_m_;
-    const double x_m = right_L_.dot(p_BoP_L), z_m = forward_L_.dot(p_BoP_L);
-    return z_m > 0.0 && x_m >= region_->min_tangent_1 * z_m && x_m <= region_->max_tangent_1 * z_m;
-  }
-  bool OnTarget(const Eigen::Vector3d& p_L, const BackgroundOptions& options) const {
-    return p_L.z() > options.floor_margin_m && InRegion(p_L);
-  }
-
- private:
-  Eigen::Vector3d p_LB_m_, right_L_, forward_L_;
-  std::optional<VerticalRegion> region_;
-};
 
 }  // namespace
 
@@ -88,27 +66,14 @@ std::optional<VerticalRegion> FindVerticalRegion(const sensor::ScanSet& scan,
 std::vector<bool> FindTargetPoints(const sensor::RangeProfile& profile, const sensor::ScanSet& scan,
                                    const std::optional<VerticalRegion>& region,
                                    const BackgroundOptions& options) {
-  const TargetTest test(scan, region);
+  const BwCamera camera = CameraAtTarget(scan);
   std::vector<bool> on_target(profile.p_L_m.size());
   for (size_t i = 0; i < profile.p_L_m.size(); ++i) {
-    on_target[i] = test.OnTarget(profile.p_L_m[i], options);
+    const Eigen::Vector3d& p_L = profile.p_L_m[i];
+    on_target[i] =
+        p_L.z() > options.floor_margin_m && (!region || region->Holds(camera.InCamera(p_L)));
   }
   return on_target;
-}
-
-PointRange FindRegionRange(std::span<const Eigen::Vector3d> p_L_m, const sensor::ScanSet& scan,
-                           const std::optional<VerticalRegion>& region) {
-  const TargetTest test(scan, region);
-  PointRange range{0, p_L_m.size()};
-  while (range.begin < range.end && !test.InRegion(p_L_m[range.begin])) ++range.begin;
-  while (range.begin < range.end && !test.InRegion(p_L_m[range.end - 1])) --range.end;
-  return range;
-}
-
-void DropBackground(const sensor::ScanSet& scan, const std::optional<VerticalRegion>& region,
-                    const BackgroundOptions& options, std::vector<Eigen::Vector3d>* p_L_m) {
-  const TargetTest test(scan, region);
-  std::erase_if(*p_L_m, [&](const Eigen::Vector3d& p_L) { return !test.OnTarget(p_L, options); });
 }
 
 sensor::RangeProfile RemoveBackground(const sensor::RangeProfile& profile,

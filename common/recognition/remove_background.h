@@ -2,10 +2,8 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "recognition/profile_curve.h"
 #include "sensor/scan_set.h"
 
 namespace geon::recognition {
@@ -25,6 +23,11 @@ struct BackgroundOptions {
 struct VerticalRegion {
   double min_tangent_1 = 0.0;
   double max_tangent_1 = 0.0;
+  // Whether a point before the camera lies in it.
+  bool Holds(const Eigen::Vector3d& p_B_m) const {
+    return p_B_m.z() > 0.0 && p_B_m.x() >= min_tangent_1 * p_B_m.z() &&
+           p_B_m.x() <= max_tangent_1 * p_B_m.z();
+  }
 };
 
 // The region of interest of a scan; nothing when the scan has no target box or not enough points on
@@ -44,15 +47,6 @@ std::optional<VerticalRegion> FindVerticalRegion(const sensor::ScanSet& scan,
 std::vector<bool> FindTargetPoints(const sensor::RangeProfile& profile, const sensor::ScanSet& scan,
                                    const std::optional<VerticalRegion>& region,
                                    const BackgroundOptions& options);
-
-// Of `p_L_m` those from the first to the last that lies in the region: all when there is none.
-// Smoothing moves points along their viewing rays, hence neither into the region nor out of it.
-PointRange FindRegionRange(std::span<const Eigen::Vector3d> p_L_m, const sensor::ScanSet& scan,
-                           const std::optional<VerticalRegion>& region);
-
-// Drops from the points of a profile what FindTargetPoints says is background.
-void DropBackground(const sensor::ScanSet& scan, const std::optional<VerticalRegion>& region,
-                    const BackgroundOptions& options, std::vector<Eigen::Vector3d>* p_L_m);
 
 // The profile without its background points.
 sensor::RangeProfile RemoveBackground(const sensor::RangeProfile& profile,

@@ -52,16 +52,4 @@ std::vector<double> SmoothDepths(std::span<const int> pixel, std::span<const dou
   return smooth_m;
 }
 
-std::vector<Eigen::Vector3d> MoveAlongRays(std::span<const Eigen::Vector3d> p_L_m,
-                                           std::span<const double> depth_m,
-                                           std::span<const double> smooth_m,
-                                           const Eigen::Vector3d& p_LB_m) {
-  std::vector<Eigen::Vector3d> moved_L_m(p_L_m.begin(), p_L_m.end());
-  for (size_t i = 0; i < p_L_m.size(); ++i) {
-    if (depth_m[i] <= 0.0) continue;  // behind the camera: has no viewing ray to move along
-    moved_L_m[i] = p_LB_m + (p_L_m[i] - p_LB_m) * (smooth_m[i] / depth_m[i]);
-  }
-  return moved_L_m;
-}
-
 }  // namespace geon::recognition

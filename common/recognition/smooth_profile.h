@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <span>
 #include <vector>
 
@@ -17,8 +16,8 @@ struct SmoothingOptions {
   void Validate() const;  // throws ContractViolation
 };
 
-// The depths of a profile (ProfileDepths), one for each of `pixel`, smoothed along the stripe; with
-// Smoothing::kNone all stay.
+// The depths of a profile (z of the B/W camera), one for each of `pixel`, smoothed along the
+// stripe; with Smoothing::kNone all stay.
 //
 // Source: thesis section 5.1 and figure 5.2: the median, because a Gaussian spreads a spike to its
 // neighbours. The quantity smoothed is z of the B/W camera, which the rangefinder measures per
@@ -26,12 +25,5 @@ struct SmoothingOptions {
 // missing pixel: nothing is smoothed across a gap.
 std::vector<double> SmoothDepths(std::span<const int> pixel, std::span<const double> depth_m,
                                  const SmoothingOptions& options);
-
-// The points of a profile, each moved along its viewing ray from its depth to the smoothed one.
-// `p_LB_m` is the B/W camera in frame L.
-std::vector<Eigen::Vector3d> MoveAlongRays(std::span<const Eigen::Vector3d> p_L_m,
-                                           std::span<const double> depth_m,
-                                           std::span<const double> smooth_m,
-                                           const Eigen::Vector3d& p_LB_m);
 
 }  // namespace geon::recognition

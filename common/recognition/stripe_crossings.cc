@@ -55,7 +55,7 @@ Eigen::Vector3d Normal(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 
 CrossingGrid FindCrossings(const TargetView& view) {
   const std::vector<TargetStripe>& stripes = view.stripes;
-  const Eigen::Vector3d& p_LB_m = view.p_LB_m;
+  const Eigen::Vector3d& p_LB_m = view.camera.p_LB_m;
 
   std::vector<std::vector<StraightPiece>> pieces;
   for (const TargetStripe& stripe : stripes) pieces.push_back(FindStraightPieces(stripe));

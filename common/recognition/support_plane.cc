@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/angles.h"
+#include "recognition/bw_camera.h"
 
 namespace geon::recognition {
 namespace {
@@ -25,16 +26,13 @@ constexpr std::array<double, 6> kTukey_m = {0.03, 0.02, 0.015, 0.012, 0.010, 0.0
 
 std::vector<Eigen::Vector3d> Candidates(const sensor::ScanSet& scan,
                                         const std::optional<VerticalRegion>& region) {
+  const BwCamera camera = CameraAtTarget(scan);
   std::vector<Eigen::Vector3d> candidates;
   for (const sensor::RangeProfile& profile : scan.profiles) {
     for (const Eigen::Vector3d& p_L : profile.p_L_m) {
       if (std::abs(p_L.z()) > kReach_m) continue;
-      if (region && std::abs(p_L.z()) > kReachWithin_m) {
-        const Eigen::Vector3d ray_L = p_L - scan.camera_position_L_m;
-        const double tangent_1 =
-            scan.rotation_LB.col(0).dot(ray_L) / scan.rotation_LB.col(2).dot(ray_L);
-        if (tangent_1 > region->min_tangent_1 && tangent_1 < region->max_tangent_1) continue;
-      }
+      const bool high = std::abs(p_L.z()) > kReachWithin_m;
+      if (high && region && region->Holds(camera.InCamera(p_L))) continue;
       candidates.push_back(p_L);
     }
   }

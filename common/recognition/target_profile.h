@@ -1,13 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include "recognition/profile_curve.h"
+#include "recognition/region_profile.h"
 #include "recognition/remove_background.h"
 #include "recognition/smooth_profile.h"
-#include "sensor/scan_set.h"
 
 namespace geon::recognition {
 
@@ -16,7 +15,7 @@ namespace geon::recognition {
 struct TargetProfile {
   sensor::Laser laser = sensor::Laser::kHorizontal;
   double fraction = 0.5;
-  Eigen::Matrix3d rotation_LB;         // of the B/W camera at this stripe
+  Eigen::Matrix3d R_LB;                // of the B/W camera at this stripe
   double noise_m = 0.0;                // of the depths, before smoothing
   std::vector<Eigen::Vector3d> p_L_m;  // in the order of the pixels
   std::vector<PointRange> segments;    // of p_L_m; points in none are stray
@@ -27,11 +26,7 @@ struct TargetProfile {
 };
 
 // Source: thesis sections 5.1 (smoothing, background removal) and 5.4 (segments, figure 5.10).
-// Only points in the region of interest are smoothed, by windows that reach beyond it. `region` as
-// from FindVerticalRegion; the profile has a pixel for each point.
-TargetProfile FindTargetProfile(const sensor::RangeProfile& profile, const sensor::ScanSet& scan,
-                                const std::optional<VerticalRegion>& region,
-                                const SmoothingOptions& smoothing,
+TargetProfile FindTargetProfile(const RegionProfile& part, const SmoothingOptions& smoothing,
                                 const BackgroundOptions& background,
                                 const SegmentOptions& segments);
 

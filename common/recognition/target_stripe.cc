@@ -1,13 +1,11 @@
 #include "recognition/target_stripe.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
-#include <span>
-#include <utility>
 
 #include "base/angles.h"
-#include "recognition/profile_noise.h"
+#include "recognition/median.h"
 #include "recognition/support_plane.h"
 
 namespace geon::recognition {
@@ -15,9 +13,9 @@ namespace {
 
 using geometry::RigidTransform;
 using sensor::Laser;
-using sensor::RangeProfile;
 
 constexpr double kSpike = 5.0;          // sigmas
+constexpr int kSpikeWindow = 2;         // points to each side
 constexpr double kSmallSpike_m = 1e-3;  // less is no spike, however quiet the profile
 constexpr size_t kSmoothed = 50;        // a stripe has so many windows of smoothing
 constexpr size_t kWidestWindow = 7;     // points to each side
@@ -25,9 +23,21 @@ constexpr double kSupportSigmas = 3.0;
 constexpr double kMostMargin_m = 0.02;
 constexpr double kGrazing_rad = RadiansFromDegrees(4.0);  // less steep than this to the ray
 constexpr size_t kGrazingShare = 40;                      // of a segment tells its end's direction
+constexpr double kFarthestPlace_1 = 0.125;  // from 1/4, 1/2, 3/4: half of what is between them
 // How far the target may reach beyond the box that the stripes' places tell, in boxes.
 constexpr double kBeyond_1 = 0.25;
 constexpr double kSegmentBeyond_1 = 0.02;  // ... for the middle of a segment
+
+// What lies between two values of a tangent.
+struct Extent {
+  double first_1 = 0.0;
+  double last_1 = 0.0;
+  // Whether the tangent lies between them, or beyond them by at most this part of the extent.
+  bool Holds(double tangent_1, double beyond_1) const {
+    const double more_1 = beyond_1 * (last_1 - first_1);
+    return tangent_1 >= first_1 - more_1 && tangent_1 <= last_1 + more_1;
+  }
+};
 
 // The points of one profile that may lie on the target, frame L level on the support.
 struct Candidates {
@@ -35,11 +45,11 @@ struct Candidates {
   std::vector<Eigen::Vector2d> tangent_B_1;  // x/z and y/z in the B/W camera
   double noise_m = 0.0;
 
-  template <typename Keep>
-  void KeepIf(const Keep& keep) {
+  // Drops what lies far above or below the target.
+  void KeepRows(const Extent& rows) {
     size_t kept = 0;
     for (size_t i = 0; i < p_L_m.size(); ++i) {
-      if (!keep(i)) continue;
+      if (!rows.Holds(tangent_B_1[i].y(), kBeyond_1)) continue;
       p_L_m[kept] = p_L_m[i];
       tangent_B_1[kept++] = tangent_B_1[i];
     }
@@ -48,72 +58,65 @@ struct Candidates {
   }
 };
 
-// What lies between two values of a tangent: 0 at the first, 1 at the last.
-struct Extent {
-  double first_1 = 0.0;
-  double last_1 = 0.0;
-  double Fraction(double tangent_1) const { return (tangent_1 - first_1) / (last_1 - first_1); }
-  bool Holds(double tangent_1, double beyond_1) const {
-    const double fraction = Fraction(tangent_1);
-    return fraction >= -beyond_1 && fraction <= 1.0 + beyond_1;
-  }
-};
-
-double MedianOfFive(double a, double b, double c, double d, double e) {
-  const double low = std::max(std::min(a, b), std::min(c, d));
-  const double high = std::min(std::max(a, b), std::max(c, d));
-  return std::max(std::min(low, high), std::min(e, std::max(low, high)));
-}
-
-// Whether point i stands apart from its neighbours on both sides.
-bool IsSpike(std::span<const double> depth_m, size_t i, double spike_m) {
-  if (i < 2 || i + 2 >= depth_m.size()) return false;
-  const double middle_m =
-      MedianOfFive(depth_m[i - 2], depth_m[i - 1], depth_m[i], depth_m[i + 1], depth_m[i + 2]);
-  return std::abs(depth_m[i] - middle_m) > spike_m;
-}
-
-// The points of the region of interest without spikes.
-Candidates FindCandidates(const RangeProfile& profile, const sensor::ScanSet& scan,
-                          const std::optional<VerticalRegion>& region,
-                          const RigidTransform& level) {
-  const PointRange range = FindRegionRange(profile.p_L_m, scan, region);
-  const auto p_L_m = std::span(profile.p_L_m).subspan(range.begin, range.size());
-  const std::vector<double> depth_m = ProfileDepths(p_L_m, scan.camera_position_L_m,
-                                                    profile.rotation_LB.value_or(scan.rotation_LB));
+// The points of a profile that are no spikes and stand higher than `margin_m` above the support.
+Candidates FindCandidates(const RegionProfile& part, const BwCamera& camera,
+                          const RigidTransform& level, double margin_m) {
+  std::vector<double> middle_m(part.depth_m.size());
+  RunningMedian(part.depth_m, kSpikeWindow, middle_m);
+  const double spike_m = std::max(kSpike * part.noise_m, kSmallSpike_m);
   Candidates points;
-  points.noise_m = DepthNoise(std::span(profile.pixel).subspan(range.begin, range.size()), depth_m);
-  points.p_L_m.reserve(p_L_m.size());
-  points.tangent_B_1.reserve(p_L_m.size());
-  const double spike_m = std::max(kSpike * points.noise_m, kSmallSpike_m);
-  const Eigen::Matrix3d R_BL = scan.rotation_LB.transpose();
-  for (size_t i = 0; i < p_L_m.size(); ++i) {
-    if (IsSpike(depth_m, i, spike_m)) continue;
-    const Eigen::Vector3d p_B_m = R_BL * (p_L_m[i] - scan.camera_position_L_m);
-    if (p_B_m.z() <= 0.0) continue;
-    const Eigen::Vector2d tangent_1 = p_B_m.head<2>() / p_B_m.z();
-    if (region &&
-        (tangent_1.x() < region->min_tangent_1 || tangent_1.x() > region->max_tangent_1)) {
-      continue;
-    }
-    points.p_L_m.push_back(level * p_L_m[i]);
-    points.tangent_B_1.push_back(tangent_1);
+  points.noise_m = part.noise_m;
+  points.p_L_m.reserve(part.p_L_m.size());
+  points.tangent_B_1.reserve(part.p_L_m.size());
+  for (size_t i = 0; i < part.p_L_m.size(); ++i) {
+    const Eigen::Vector3d p_L_m = level * part.p_L_m[i];
+    if (p_L_m.z() <= margin_m || std::abs(part.depth_m[i] - middle_m[i]) > spike_m) continue;
+    points.p_L_m.push_back(p_L_m);
+    points.tangent_B_1.push_back(Tangents(camera.InCamera(part.p_L_m[i])));
   }
   return points;
 }
 
+// One of the six stripes: where it should lie, and the profile nearest to there, if there is one.
+struct Place {
+  Laser laser = Laser::kHorizontal;
+  double fraction = 0.5;
+  const RegionProfile* profile = nullptr;
+};
+
+// Horizontal places first.
+std::array<Place, 6> FindPlaces(std::span<const RegionProfile> profiles) {
+  std::array<Place, 6> places;
+  for (size_t k = 0; k < places.size(); ++k) {
+    Place& place = places[k];
+    place.laser = k < 3 ? Laser::kHorizontal : Laser::kVertical;
+    place.fraction = 0.25 * static_cast<double>(k % 3 + 1);
+    double nearest_1 = 0.0;
+    for (const RegionProfile& profile : profiles) {
+      const double off_1 = std::abs(profile.fraction - place.fraction);
+      if (profile.laser != place.laser || off_1 > kFarthestPlace_1) continue;
+      if (place.profile && off_1 >= nearest_1) continue;
+      place.profile = &profile;
+      nearest_1 = off_1;
+    }
+    if (place.profile) place.fraction = place.profile->fraction;
+  }
+  return places;
+}
+
 // The rows of the target box: a line through (fraction, row) of the horizontal stripes.
-std::optional<Extent> FindRows(std::span<const Candidates> horizontal,
-                               std::span<const double> fractions) {
+std::optional<Extent> FindRows(std::span<const Candidates> candidates,
+                               std::span<const Place> places) {
   double n = 0.0, sum_f = 0.0, sum_t = 0.0, sum_ff = 0.0, sum_ft = 0.0;
-  for (size_t k = 0; k < horizontal.size(); ++k) {
-    if (horizontal[k].p_L_m.empty()) continue;
-    const double tangent_1 = horizontal[k].tangent_B_1[horizontal[k].p_L_m.size() / 2].y();
+  for (size_t k = 0; k < places.size(); ++k) {
+    const std::vector<Eigen::Vector2d>& tangents_1 = candidates[k].tangent_B_1;
+    if (places[k].laser != Laser::kHorizontal || tangents_1.empty()) continue;
+    const double fraction = places[k].fraction, tangent_1 = tangents_1[tangents_1.size() / 2].y();
     n += 1.0;
-    sum_f += fractions[k];
+    sum_f += fraction;
     sum_t += tangent_1;
-    sum_ff += fractions[k] * fractions[k];
-    sum_ft += fractions[k] * tangent_1;
+    sum_ff += fraction * fraction;
+    sum_ft += fraction * tangent_1;
   }
   const double spread = sum_ff - sum_f * sum_f / std::max(n, 1.0);
   if (n < 2.0 || spread < 1e-6) return std::nullopt;
@@ -182,75 +185,58 @@ void AppendSegment(const Candidates& points, PointRange segment, const Eigen::Ma
                  half, &stripe->curve_m);
 }
 
-// The profiles nearest to 1/4, 1/2 and 3/4, horizontal ones first; nullptr where there is none.
-std::vector<const RangeProfile*> SixProfiles(const sensor::ScanSet& scan) {
-  std::vector<const RangeProfile*> six;
-  for (Laser laser : {Laser::kHorizontal, Laser::kVertical}) {
-    for (double fraction : {0.25, 0.5, 0.75}) {
-      const RangeProfile* nearest = nullptr;
-      for (const RangeProfile& profile : scan.profiles) {
-        if (profile.laser != laser || std::abs(profile.fraction - fraction) > 0.125) continue;
-        if (!nearest ||
-            std::abs(profile.fraction - fraction) < std::abs(nearest->fraction - fraction)) {
-          nearest = &profile;
-        }
-      }
-      six.push_back(nearest);
-    }
+// How far above the support a point must stand to be no part of it.
+double SupportMargin(const std::optional<SupportPlane>& support, double least_m) {
+  if (!support) return least_m;
+  return std::max(least_m, std::min(kSupportSigmas * support->sigma_m, kMostMargin_m));
+}
+
+// The segments of the points whose middle lies on the target. `along` is the target's extent in the
+// stripe's direction, `R_LB` the camera at the stripe.
+TargetStripe MakeStripe(const Candidates& points, const Place& place,
+                        const std::optional<Extent>& along, const Eigen::Vector3d& p_LB_m,
+                        const Eigen::Matrix3d& R_LB, const SegmentOptions& options) {
+  TargetStripe stripe;
+  stripe.laser = place.laser;
+  stripe.fraction = place.fraction;
+  stripe.noise_m = points.noise_m;
+  const int axis = place.laser == Laser::kVertical ? 1 : 0;
+  const size_t fewest = static_cast<size_t>(options.fewest_points);
+  for (const PointRange& segment : FindSegments(points.p_L_m, options)) {
+    const Eigen::Vector2d& middle_1 = points.tangent_B_1[(segment.begin + segment.end) / 2];
+    if (along && !along->Holds(middle_1[axis], kSegmentBeyond_1)) continue;
+    AppendSegment(points, WithoutGrazingEnds(points, segment, p_LB_m, fewest), R_LB, &stripe);
   }
-  return six;
+  return stripe;
 }
 
 }  // namespace
 
-TargetView FindTargetView(const sensor::ScanSet& scan, const BackgroundOptions& background,
-                          const SegmentOptions& options) {
-  const std::optional<VerticalRegion> region = FindVerticalRegion(scan, background);
+TargetView FindTargetView(const sensor::ScanSet& scan, const std::optional<VerticalRegion>& region,
+                          std::span<const RegionProfile> profiles,
+                          const BackgroundOptions& background, const SegmentOptions& segments) {
+  const BwCamera camera = CameraAtTarget(scan);
   const std::optional<SupportPlane> support = FitSupportPlane(scan, region);
   const RigidTransform level = support ? LevelOn(*support) : RigidTransform::Identity();
-  double margin_m = background.floor_margin_m;
-  if (support) {
-    margin_m = std::max(margin_m, std::min(kSupportSigmas * support->sigma_m, kMostMargin_m));
+  const double margin_m = SupportMargin(support, background.floor_margin_m);
+  const std::array<Place, 6> places = FindPlaces(profiles);
+  std::array<Candidates, 6> candidates;
+  for (size_t k = 0; k < places.size(); ++k) {
+    if (!places[k].profile) continue;
+    candidates[k] = FindCandidates(*places[k].profile, camera, level, margin_m);
   }
-  TargetView view;
-  view.p_LB_m = level * scan.camera_position_L_m;
-  view.R_LB = level.linear() * scan.rotation_LB;
 
-  const std::vector<const RangeProfile*> six = SixProfiles(scan);
-  std::vector<Candidates> candidates(six.size());
-  std::vector<double> fractions;
-  for (size_t k = 0; k < six.size(); ++k) {
-    fractions.push_back(six[k] ? six[k]->fraction : 0.25 * static_cast<double>(k % 3 + 1));
-    if (!six[k]) continue;
-    candidates[k] = FindCandidates(*six[k], scan, region, level);
-    candidates[k].KeepIf([&](size_t i) { return candidates[k].p_L_m[i].z() > margin_m; });
-  }
-  const std::optional<Extent> rows = FindRows(std::span(candidates).first(3), fractions);
+  const std::optional<Extent> rows = FindRows(candidates, places);
   const std::optional<Extent> columns = FindColumns(scan, region, background.margin_px);
-
-  for (size_t k = 0; k < six.size(); ++k) {
-    Candidates& points = candidates[k];
-    const bool vertical = k >= 3;
-    if (rows && vertical) {
-      points.KeepIf([&](size_t i) { return rows->Holds(points.tangent_B_1[i].y(), kBeyond_1); });
-    }
-    TargetStripe stripe;
-    stripe.laser = vertical ? Laser::kVertical : Laser::kHorizontal;
-    stripe.fraction = fractions[k];
-    stripe.noise_m = points.noise_m;
-    const std::optional<Extent>& along = vertical ? rows : columns;
+  TargetView view;
+  view.camera = {level * camera.p_LB_m, level.linear() * camera.R_LB};
+  for (size_t k = 0; k < places.size(); ++k) {
+    const bool vertical = places[k].laser == Laser::kVertical;
+    if (rows && vertical) candidates[k].KeepRows(*rows);
     const Eigen::Matrix3d R_LB =
-        level.linear() *
-        (six[k] ? six[k]->rotation_LB.value_or(scan.rotation_LB) : scan.rotation_LB);
-    for (const PointRange& segment : FindSegments(points.p_L_m, options)) {
-      const Eigen::Vector2d& middle_1 = points.tangent_B_1[(segment.begin + segment.end) / 2];
-      if (along && !along->Holds(middle_1[vertical ? 1 : 0], kSegmentBeyond_1)) continue;
-      AppendSegment(points,
-                    WithoutGrazingEnds(points, segment, view.p_LB_m,
-                                       static_cast<size_t>(options.fewest_points)),
-                    R_LB, &stripe);
-    }
-    view.stripes.push_back(std::move(stripe));
+        level.linear() * (places[k].profile ? places[k].profile->camera.R_LB : camera.R_LB);
+    view.stripes.push_back(MakeStripe(candidates[k], places[k], vertical ? rows : columns,
+                                      view.camera.p_LB_m, R_LB, segments));
   }
   return view;
 }

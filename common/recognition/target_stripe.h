@@ -1,9 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "recognition/bw_camera.h"
 #include "recognition/profile_curve.h"
+#include "recognition/region_profile.h"
 #include "recognition/remove_background.h"
 #include "sensor/scan_set.h"
 
@@ -31,8 +35,7 @@ struct TargetView {
   // or that shows fewer than `segments.fewest_points` points of the target, is empty; of more than
   // three stripes in a direction those nearest to 1/4, 1/2 and 3/4 are taken.
   std::vector<TargetStripe> stripes;
-  Eigen::Vector3d p_LB_m = Eigen::Vector3d::Zero();  // the B/W camera
-  Eigen::Matrix3d R_LB = Eigen::Matrix3d::Identity();
+  BwCamera camera;  // at the target
 };
 
 // Source: thesis sections 5.1 and 5.4 for what is background and what a segment. Deviations:
@@ -45,7 +48,10 @@ struct TargetView {
 //   where a camera mixes the target's edge with what is behind it;
 // - the rest is averaged over a fiftieth of the stripe, where the thesis takes the median of a
 //   fixed window.
-TargetView FindTargetView(const sensor::ScanSet& scan, const BackgroundOptions& background = {},
-                          const SegmentOptions& segments = {});
+//
+// `region` as from FindVerticalRegion, `profiles` as from FindRegionProfiles of the same scan.
+TargetView FindTargetView(const sensor::ScanSet& scan, const std::optional<VerticalRegion>& region,
+                          std::span<const RegionProfile> profiles,
+                          const BackgroundOptions& background, const SegmentOptions& segments);
 
 }  // namespace geon::recognition

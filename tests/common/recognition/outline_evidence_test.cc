@@ -23,7 +23,7 @@ EvidenceList Describe(double growth_m, double waist_m) {
     stripes[static_cast<size_t>(3 + k)].p_L_m = {{1.0, y_m, 0.6}, {1.0, y_m, 0.4}};
   }
   EvidenceList evidence(true);
-  AddOutlineEvidence(stripes, p_LB_m, geometry::CameraAxesInBody(), 0.2, &evidence);
+  AddOutlineEvidence(stripes, {p_LB_m, geometry::CameraAxesInBody()}, 0.2, &evidence);
   return evidence;
 }
 
@@ -51,8 +51,7 @@ TEST(OutlineEvidence, AWaistIsConcaveOnBothSides) {
 
 TEST(OutlineEvidence, ASideWithoutAStripeGivesAsManyZeros) {
   EvidenceList evidence(true);
-  AddOutlineEvidence(std::vector<TargetStripe>(6), Eigen::Vector3d::Zero(),
-                     Eigen::Matrix3d::Identity(), 0.2, &evidence);
+  AddOutlineEvidence(std::vector<TargetStripe>(6), BwCamera(), 0.2, &evidence);
   EXPECT_EQ(evidence.values().size(), Describe(0.0, 0.0).values().size());
   for (float value : evidence.values()) EXPECT_EQ(value, 0.0F);
 }

@@ -54,13 +54,5 @@ TEST(SmoothDepths, RefusesImpossibleOptions) {
   EXPECT_THROW(Smooth({1}, Smoothing::kMedian, -1), ContractViolation);
 }
 
-TEST(MoveAlongRays, ScalesWhatLiesBeforeTheCameraAndLeavesTheRest) {
-  const Eigen::Vector3d p_LB_m(0.1, 0.2, 0.3);
-  const std::vector<Eigen::Vector3d> p_L_m = {{1.1, 0.2, 0.4}, {-0.9, 0.2, 0.4}};
-  const auto moved_L_m = MoveAlongRays(p_L_m, Depths{1.0, -1.0}, Depths{1.5, -1.5}, p_LB_m);
-  EXPECT_TRUE(moved_L_m[0].isApprox(Eigen::Vector3d(1.6, 0.2, 0.45)));
-  EXPECT_EQ(moved_L_m[1], p_L_m[1]);
-}
-
 }  // namespace
 }  // namespace geon::recognition

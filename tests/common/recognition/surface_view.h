@@ -11,8 +11,7 @@ namespace geon::recognition {
 // towards it by height_m(y, z - 0.5).
 inline TargetView ViewOfSurface(const std::function<double(double, double)>& height_m) {
   TargetView view;
-  view.p_LB_m = Eigen::Vector3d(0.0, 0.0, 0.5);
-  view.R_LB = geometry::CameraAxesInBody();
+  view.camera = {Eigen::Vector3d(0.0, 0.0, 0.5), geometry::CameraAxesInBody()};
   view.stripes.resize(6);
   for (size_t k = 0; k < 6; ++k) {
     TargetStripe& stripe = view.stripes[k];

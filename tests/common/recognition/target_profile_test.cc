@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "geometry/rigid_transform.h"
-#include "recognition/profile_noise.h"
 
 namespace geon::recognition {
 namespace {
@@ -26,31 +25,30 @@ sensor::ScanSet WallScan() {
   return scan;
 }
 
-TargetProfile Find(const sensor::ScanSet& scan, const std::optional<VerticalRegion>& region = {},
-                   const SmoothingOptions& smoothing = {}) {
-  return FindTargetProfile(scan.profiles[0], scan, region, smoothing, {}, {});
+TargetProfile Find(const sensor::ScanSet& scan, Smoothing kind = Smoothing::kMedian) {
+  SmoothingOptions smoothing;
+  smoothing.kind = kind;
+  return FindTargetProfile(FindRegionProfiles(scan, std::nullopt)[0], smoothing, {}, {});
 }
 
-TEST(FindTargetProfile, IsTheSameAsItsStagesOneAfterTheOther) {
+TEST(FindTargetProfile, SmoothsDepthsAlongTheViewingRays) {
   sensor::ScanSet scan = WallScan();
+  const Eigen::Vector3d& p_LB_m = scan.camera_position_L_m;
   for (size_t i = 0; i < 200; ++i) {
     scan.profiles[0].p_L_m[i].x() += 0.002 * std::sin(17.0 * static_cast<double>(i));
-    if (i >= 80) scan.profiles[0].p_L_m[i].x() += 0.2;
-    if (i >= 40) scan.profiles[0].pixel[i] += 2;
   }
-  const VerticalRegion region{-0.025, 0.035};
+  const RegionProfile part = FindRegionProfiles(scan, std::nullopt)[0];
   for (Smoothing kind : {Smoothing::kNone, Smoothing::kMedian, Smoothing::kGaussian}) {
     SmoothingOptions smoothing;
     smoothing.kind = kind;
-    const sensor::RangeProfile& profile = scan.profiles[0];
-    const auto depth_m = ProfileDepths(profile.p_L_m, scan.camera_position_L_m, scan.rotation_LB);
-    auto p_L_m =
-        MoveAlongRays(profile.p_L_m, depth_m, SmoothDepths(profile.pixel, depth_m, smoothing),
-                      scan.camera_position_L_m);
-    DropBackground(scan, region, {}, &p_L_m);
-    const TargetProfile target = Find(scan, region, smoothing);
-    EXPECT_EQ(target.p_L_m, p_L_m);
-    EXPECT_EQ(target.segments.size(), FindSegments(p_L_m, {}).size());
+    const auto smooth_m = SmoothDepths(part.pixel, part.depth_m, smoothing);
+    const TargetProfile target = Find(scan, kind);
+    ASSERT_EQ(target.p_L_m.size(), 200U);
+    for (size_t i = 0; i < 200; ++i) {
+      const Eigen::Vector3d ray = target.p_L_m[i] - p_LB_m;
+      EXPECT_NEAR(ray.x(), smooth_m[i], 1e-12);
+      EXPECT_NEAR(ray.cross(part.p_L_m[i] - p_LB_m).norm(), 0.0, 1e-12);
+    }
   }
 }
 
@@ -72,9 +70,9 @@ TEST(FindTargetProfile, HasNoSegmentsWhenAllIsFloor) {
 
 TEST(FindTargetProfile, LooksAlongTheStripesOwnRotation) {
   sensor::ScanSet scan = WallScan();
-  EXPECT_EQ(Find(scan).rotation_LB, scan.rotation_LB);
+  EXPECT_EQ(Find(scan).R_LB, scan.rotation_LB);
   scan.profiles[0].rotation_LB = geometry::RotationAboutZ(0.1) * scan.rotation_LB;
-  EXPECT_EQ(Find(scan).rotation_LB, *scan.profiles[0].rotation_LB);
+  EXPECT_EQ(Find(scan).R_LB, *scan.profiles[0].rotation_LB);
 }
 
 }  // namespace
