@@ -91,15 +91,12 @@ struct Residual {
 
 Residual Off(const Cone& cone, const Across& across, const Eigen::Vector3d& p_m) {
   const Eigen::Vector3d q = p_m - cone.p_L_m;
-  const double s = q.dot(cone.axis_L);
-  const Eigen::Vector3d radial = q - s * cone.axis_L;
-  const double rho = std::max(radial.norm(), 1e-9);
-  const double nu = radial.dot(across.u) / rho, nv = radial.dot(across.v) / rho;
-  const double qu = q.dot(across.u), qv = q.dot(across.v);
+  const double qu = q.dot(across.u), qv = q.dot(across.v), s = q.dot(cone.axis_L);
+  const double rho = std::max(std::sqrt(qu * qu + qv * qv), 1e-9);
   const double turn = -s / rho - cone.slope_1;
   Residual residual;
   residual.off_m = rho - cone.radius_m - cone.slope_1 * s;
-  residual.gradient << -nu, -nv, turn * qu, turn * qv, -1.0, -s;
+  residual.gradient << -qu / rho, -qv / rho, turn * qu, turn * qv, -1.0, -s;
   return residual;
 }
 
@@ -114,8 +111,9 @@ void Step(std::span<const Eigen::Vector3d> points_m, double tolerance_m, double 
     const double inside = 1.0 - share * share;
     if (inside <= 0.0) continue;
     const double weight = inside * inside;
-    information += (weight * residual.gradient) * residual.gradient.transpose();
-    right -= weight * residual.off_m * residual.gradient;
+    const Vector6d weighted = weight * residual.gradient;
+    information.noalias() += weighted * residual.gradient.transpose();
+    right -= residual.off_m * weighted;
   }
   information.diagonal() *= 1.0 + kDamping;
   information.diagonal().array() += 1e-9;

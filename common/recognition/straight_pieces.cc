@@ -15,27 +15,30 @@ constexpr size_t kFewestOfStripe = 8;
 // The inner breaks of the best fit by 1, 2 or 3 lines, and its sum of squares.
 struct Fit {
   double squares = std::numeric_limits<double>::infinity();
-  std::vector<size_t> breaks;
+  std::array<size_t, 2> breaks{};  // as many as it has lines, less one
 };
 
 std::array<Fit, 3> BestFits(const std::vector<Eigen::Vector2d>& curve_m) {
-  const std::vector<LineMoments> until = RunningMoments(curve_m);
   const size_t n = curve_m.size();
   std::array<size_t, kBreaks + 1> place{};
+  std::array<LineMoments, kBreaks + 1> until;
+  for (size_t k = 1; k <= kBreaks; ++k) {
+    place[k] = k * n / kBreaks;
+    until[k] = until[k - 1];
+    for (size_t i = place[k - 1]; i < place[k]; ++i) until[k].Add(curve_m[i] - curve_m[0]);
+  }
   std::array<double, kBreaks + 1> before{}, after{};
   for (size_t k = 0; k <= kBreaks; ++k) {
-    place[k] = k * n / kBreaks;
-    before[k] = until[place[k]].LineResidual();
-    after[k] = (until[n] - until[place[k]]).LineResidual();
+    before[k] = until[k].LineResidual();
+    after[k] = (until[kBreaks] - until[k]).LineResidual();
   }
   std::array<Fit, 3> best;
-  best[0] = {until[n].LineResidual(), {}};
+  best[0].squares = before[kBreaks];
   for (size_t i = 1; i < kBreaks; ++i) {
     if (before[i] + after[i] < best[1].squares) best[1] = {before[i] + after[i], {place[i]}};
     for (size_t j = i + 1; j < kBreaks; ++j) {
       if (before[i] + after[j] >= best[2].squares) continue;
-      const double squares =
-          before[i] + (until[place[j]] - until[place[i]]).LineResidual() + after[j];
+      const double squares = before[i] + (until[j] - until[i]).LineResidual() + after[j];
       if (squares < best[2].squares) best[2] = {squares, {place[i], place[j]}};
     }
   }
@@ -65,9 +68,8 @@ std::vector<StraightPiece> FindStraightPieces(const TargetStripe& stripe) {
   while (lines < 2 && fits[lines].squares > enough) ++lines;
   std::vector<StraightPiece> pieces;
   size_t begin = 0;
-  std::vector<size_t> ends = fits[lines].breaks;
-  ends.push_back(n);
-  for (size_t end : ends) {
+  for (size_t line = 0; line <= lines; ++line) {
+    const size_t end = line < lines ? fits[lines].breaks[line] : n;
     if (end < begin + 2) continue;
     pieces.push_back({begin, end, Direction(stripe, begin, end)});
     begin = end;

@@ -158,15 +158,20 @@ double LargestStep(const TargetStripe& stripe) {
   return std::sqrt(largest_m);
 }
 
+// A short flat stripe: no evidence of anything.
+TargetStripe FlatStripe(double scale_m) {
+  TargetStripe stripe;
+  stripe.p_L_m = {Eigen::Vector3d::Zero(), Eigen::Vector3d(0.0, -0.01 * scale_m, 0.0)};
+  stripe.curve_m = {Eigen::Vector2d::Zero(), Eigen::Vector2d(0.01 * scale_m, 0.0)};
+  stripe.segment_begins = {0};
+  return stripe;
+}
+
 }  // namespace
 
 void AddStripeEvidence(const TargetStripe& given, double scale_m, EvidenceList* evidence) {
-  TargetStripe stripe = given;
-  if (stripe.empty()) {  // a short flat stripe: no evidence of anything
-    stripe.p_L_m = {Eigen::Vector3d::Zero(), Eigen::Vector3d(0.0, -0.01 * scale_m, 0.0)};
-    stripe.curve_m = {Eigen::Vector2d::Zero(), Eigen::Vector2d(0.01 * scale_m, 0.0)};
-    stripe.segment_begins = {0};
-  }
+  const TargetStripe flat = given.empty() ? FlatStripe(scale_m) : TargetStripe();
+  const TargetStripe& stripe = given.empty() ? flat : given;
   const Segments segments = FindArcs(stripe);
   const std::vector<Curve> fine = Resample(segments, kFineSamples);
   const std::vector<Curve> coarse = Resample(segments, kCoarseSamples);
