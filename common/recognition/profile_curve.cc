@@ -9,7 +9,7 @@
 namespace geon::recognition {
 namespace {
 
-double Extent(std::span<const Eigen::Vector3d> p_L_m, PointRange range) {
+double EndToEnd(std::span<const Eigen::Vector3d> p_L_m, PointRange range) {
   return (p_L_m[range.end - 1] - p_L_m[range.begin]).norm();
 }
 
@@ -33,13 +33,13 @@ std::vector<PointRange> FindSegments(std::span<const Eigen::Vector3d> p_L_m,
     const bool last = i + 1 == p_L_m.size();
     if (!last && (p_L_m[i + 1] - p_L_m[i]).squaredNorm() <= square_split_m2) continue;
     segments.push_back({begin, i + 1});
-    longest_m = std::max(longest_m, Extent(p_L_m, segments.back()));
+    longest_m = std::max(longest_m, EndToEnd(p_L_m, segments.back()));
     begin = i + 1;
   }
   const double shortest_m = std::max(options.shortest_m, options.shortest_share_1 * longest_m);
   std::erase_if(segments, [&](PointRange part) {
     return static_cast<int>(part.size()) < options.fewest_points ||
-           Extent(p_L_m, part) < shortest_m;
+           EndToEnd(p_L_m, part) < shortest_m;
   });
   return segments;
 }

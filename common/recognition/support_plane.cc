@@ -24,8 +24,8 @@ constexpr size_t kEnough = 200;       // of more candidates only every n-th is l
 // Tukey's biweight shrinks from the spread of the candidates to that of a noisy plane.
 constexpr std::array<double, 6> kTukey_m = {0.03, 0.02, 0.015, 0.012, 0.010, 0.010};
 
-std::vector<Eigen::Vector3d> Candidates(const sensor::ScanSet& scan,
-                                        const std::optional<VerticalRegion>& region) {
+std::vector<Eigen::Vector3d> PointsNearSupport(const sensor::ScanSet& scan,
+                                               const std::optional<VerticalRegion>& region) {
   const BwCamera camera = CameraAtTarget(scan);
   std::vector<Eigen::Vector3d> candidates;
   for (const sensor::RangeProfile& profile : scan.profiles) {
@@ -67,7 +67,7 @@ Eigen::Vector3d Refit(const std::vector<Eigen::Vector3d>& points_m, const Eigen:
 
 std::optional<SupportPlane> FitSupportPlane(const sensor::ScanSet& scan,
                                             const std::optional<VerticalRegion>& region) {
-  std::vector<Eigen::Vector3d> points_m = Candidates(scan, region);
+  std::vector<Eigen::Vector3d> points_m = PointsNearSupport(scan, region);
   if (points_m.size() < kFewestOnSupport) return std::nullopt;
   const size_t every = (points_m.size() + kEnough - 1) / kEnough;
   for (size_t i = 0; i * every < points_m.size(); ++i) points_m[i] = points_m[i * every];
