@@ -43,10 +43,15 @@ struct FaultOptions {
   double misplacement_1 = 0.0;  // of a stripe, in target boxes, standard deviation
   double attitude_rad = 0.0;    // by which the camera's believed attitude is wrong
   // Of sensors that match patches instead of finding peaks (structured light, stereo):
-  double step_px = 0.0;    // offsets come in such steps
-  double patch_px = 0.0;   // each line shows the mean over so many lines to both sides
-  double edge_px = 0.0;    // ... and stands so far beside its place, correlated over six lines
-  double shadow_px = 0.0;  // lines missing on each side of a jump of depth
+  double step_px = 0.0;     // offsets come in such steps
+  double patch_px = 0.0;    // each line shows the mean over so many lines to both sides
+  double steepest_m = 0.0;  // lines missing where the depth changes faster from line to line
+  double edge_px = 0.0;     // each end of a surface stands so far beside its place
+  double shadow_px = 0.0;   // up to so many lines missing on each side of it
+  // What calibration leaves of errors in the offset, standard deviations: the same all over the
+  // image, and waves as long as the image or half of it.
+  double offset_px = 0.0;
+  double ripple_px = 0.0;
 };
 
 // A named set of faults. `noise_px` is kept by all.

@@ -175,6 +175,7 @@ sensor::ScanSet MakeScan(const ObjectTracer& object, const ViewOptions& view,
                                      static_cast<int>(std::floor(corner_px.y())),
                                      static_cast<int>(std::ceil(box.sizes().x())) + 1,
                                      static_cast<int>(std::ceil(box.sizes().y())) + 1};
+  const OffsetError offset_error(faults, random);
   std::normal_distribution<double> gauss;
   for (int k = 0; k < 6; ++k) {
     const bool vertical = k >= 3;
@@ -197,8 +198,11 @@ sensor::ScanSet MakeScan(const ObjectTracer& object, const ViewOptions& view,
     const std::vector<StripeError> errors = StripeErrors(depths_m.size(), faults, random);
     for (size_t i = 0; i < depths_m.size(); ++i) {
       if (depths_m[i] == kInfinity || errors[i].missing) continue;
-      const double z_m = MeasuredDepth(depths_m[i], errors[i].offset_px, camera, fan, view,
-                                       rangefinder, faults.step_px);
+      Eigen::Vector2d tangent_1(fan.slope_1, fan.slope_1);
+      tangent_1[1 - fan.across] = tangents[i];
+      const double error_px = errors[i].offset_px + offset_error.At(tangent_1 * camera.focal_px);
+      const double z_m =
+          MeasuredDepth(depths_m[i], error_px, camera, fan, view, rangefinder, faults.step_px);
       // The point measured: where the camera's ray through the displaced pixel has this depth.
       const Eigen::Vector3d p_B = fan.LaserInB() + z_m * fan.Ray(tangents[i]);
       const Eigen::Vector3d true_B = fan.LaserInB() + depths_m[i] * fan.Ray(tangents[i]);

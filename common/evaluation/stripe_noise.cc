@@ -4,13 +4,17 @@
 #include <cmath>
 #include <limits>
 
+#include "base/angles.h"
+
 namespace geon::evaluation {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSpeckleLength_px = 4.0;
 constexpr double kOutlierReach_px = 20.0;
-constexpr double kEdgeLength_px = 6.0;
-constexpr double kJump_m = 0.03;   // a larger step is a jump of depth
+constexpr double kJump_m = 0.03;  // a larger step is a jump of depth
+constexpr int kWaves = 3;
+constexpr double kImage_px = 640.0;
 constexpr double kMixes_1 = 0.02;  // of lines beside a jump mix both sides
 
 // A first-order autoregression of deviation 1.
@@ -41,20 +45,57 @@ double PatchMean(std::span<const double> depths_m, std::ptrdiff_t middle, int ha
     sum_m += other_m;
     count += 1.0;
   }
-  return count > 0.0 ? sum_m / count : depth_m;
+  return count > 0.0 && std::isfinite(depth_m) ? sum_m / count : depth_m;
 }
 
-// Removes the lines within `reach` of a jump, or of a line without depth.
-void LoseEdges(std::span<const double> before_m, int reach, std::vector<double>* depths_m) {
+std::vector<double> PatchMeans(std::span<const double> depths_m, int half,
+                               std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform;
+  std::vector<double> means_m;
+  for (size_t i = 0; i < depths_m.size(); ++i) {
+    const bool mixes = uniform(random) < kMixes_1;
+    means_m.push_back(PatchMean(depths_m, static_cast<std::ptrdiff_t>(i), half, mixes));
+  }
+  return means_m;
+}
+
+// Removes the lines whose depth differs by more than this from that of a neighbour, jumps aside.
+void LoseSteep(std::span<const double> before_m, double steepest_m, std::vector<double>* depths_m) {
   for (size_t i = 1; i < before_m.size(); ++i) {
-    const double step_m = before_m[i] - before_m[i - 1];
-    if (std::abs(step_m) <= kJump_m) continue;  // the difference of two infinities is not a number
-    if (!std::isfinite(before_m[i]) && !std::isfinite(before_m[i - 1])) continue;
-    const auto at = static_cast<std::ptrdiff_t>(i);
-    for (std::ptrdiff_t k = at - reach; k < at + reach; ++k) {
-      if (k < 0 || k >= static_cast<std::ptrdiff_t>(depths_m->size())) continue;
-      (*depths_m)[static_cast<size_t>(k)] = std::numeric_limits<double>::infinity();
+    const double step_m = std::abs(before_m[i] - before_m[i - 1]);
+    if (step_m > steepest_m && step_m <= kJump_m) {
+      (*depths_m)[i - 1] = (*depths_m)[i] = kInfinity;
     }
+  }
+}
+
+// Whether a surface ends between two neighbouring lines.
+bool IsEdge(double a_m, double b_m) {
+  if (std::isfinite(a_m) != std::isfinite(b_m)) return true;
+  return std::isfinite(a_m) && std::abs(a_m - b_m) > kJump_m;
+}
+
+// Each edge moves by a draw of its own: what grows goes on at the depth of its last line. Then up
+// to `shadow_px` lines are lost on either side.
+void MoveEdges(std::span<const double> before_m, const FaultOptions& faults,
+               std::mt19937_64& random, std::vector<double>* depths_m) {
+  std::normal_distribution<double> gauss;
+  std::uniform_real_distribution<double> uniform;
+  const auto lines = static_cast<std::ptrdiff_t>(before_m.size());
+  const auto fill = [&](std::ptrdiff_t begin, std::ptrdiff_t end, double depth_m) {
+    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(begin, 0); k < std::min(end, lines); ++k) {
+      (*depths_m)[static_cast<size_t>(k)] = depth_m;
+    }
+  };
+  for (std::ptrdiff_t i = 1; i < lines; ++i) {
+    const double left_m = before_m[static_cast<size_t>(i - 1)];
+    const double right_m = before_m[static_cast<size_t>(i)];
+    if (!IsEdge(left_m, right_m)) continue;
+    const std::ptrdiff_t edge = i + std::lround(faults.edge_px * gauss(random));
+    fill(i, edge, left_m);
+    fill(edge, i, right_m);
+    fill(edge - std::lround(faults.shadow_px * uniform(random)),
+         edge + std::lround(faults.shadow_px * uniform(random)), kInfinity);
   }
 }
 
@@ -79,23 +120,39 @@ std::vector<StripeError> StripeErrors(size_t lines, const FaultOptions& faults,
   return errors;
 }
 
+OffsetError::OffsetError(const FaultOptions& faults, std::mt19937_64& random) {
+  std::normal_distribution<double> gauss;
+  if (faults.offset_px > 0.0) offset_px_ = faults.offset_px * gauss(random);
+  if (faults.ripple_px <= 0.0) return;
+  std::uniform_real_distribution<double> uniform;
+  for (int k = 0; k < kWaves; ++k) {
+    Wave wave;
+    wave.height_px = faults.ripple_px * std::sqrt(2.0 / kWaves) * gauss(random);
+    const double direction_rad = 2.0 * kPi * uniform(random);
+    wave.number_per_px = (1.0 + uniform(random)) * 2.0 * kPi / kImage_px *
+                         Eigen::Vector2d(std::cos(direction_rad), std::sin(direction_rad));
+    wave.phase_rad = 2.0 * kPi * uniform(random);
+    waves_.push_back(wave);
+  }
+}
+
+double OffsetError::At(const Eigen::Vector2d& place_px) const {
+  double error_px = offset_px_;
+  for (const Wave& wave : waves_) {
+    error_px += wave.height_px * std::sin(wave.number_per_px.dot(place_px) + wave.phase_rad);
+  }
+  return error_px;
+}
+
 std::vector<double> MatchPatches(std::span<const double> depths_m, const FaultOptions& faults,
                                  std::mt19937_64& random) {
   std::vector<double> seen_m(depths_m.begin(), depths_m.end());
   const int half = static_cast<int>(std::lround(faults.patch_px));
-  if (half > 0 || faults.edge_px > 0.0) {
-    std::uniform_real_distribution<double> uniform;
-    Autoregression beside(kEdgeLength_px, random);
-    const auto last = static_cast<std::ptrdiff_t>(depths_m.size()) - 1;
-    for (std::ptrdiff_t i = 0; i <= last; ++i) {
-      const auto middle = std::clamp<std::ptrdiff_t>(
-          i + std::lround(faults.edge_px * beside.Next(random)), 0, last);
-      const bool mixes = uniform(random) < kMixes_1;
-      seen_m[static_cast<size_t>(i)] = PatchMean(depths_m, middle, half, mixes);
-    }
+  if (half > 0) seen_m = PatchMeans(depths_m, half, random);
+  if (faults.steepest_m > 0.0) LoseSteep(std::vector(seen_m), faults.steepest_m, &seen_m);
+  if (faults.edge_px > 0.0 || faults.shadow_px > 0.0) {
+    MoveEdges(std::vector(seen_m), faults, random, &seen_m);
   }
-  const int shadow = static_cast<int>(std::lround(faults.shadow_px));
-  if (shadow > 0) LoseEdges(std::vector<double>(seen_m), shadow, &seen_m);
   return seen_m;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <random>
 #include <span>
 #include <vector>
@@ -19,8 +20,29 @@ struct StripeError {
 std::vector<StripeError> StripeErrors(size_t lines, const FaultOptions& faults,
                                       std::mt19937_64& random);
 
-// The depths (infinity: none) as a sensor sees them that matches patches: averaged, displaced along
-// the stripe, missing beside jumps. As they are when none of these faults is asked for.
+// What a depth camera's calibration leaves of errors in the offsets, all over one image.
+//
+// Source: Herrera, Kannala and Heikkila, "Joint depth and color camera calibration with distortion
+// correction", 2012, section 3: smooth patterns of about a pixel; the waves are ours.
+class OffsetError {
+ public:
+  OffsetError(const FaultOptions& faults, std::mt19937_64& random);
+  // At a place in pixels from the optical axis.
+  double At(const Eigen::Vector2d& place_px) const;
+
+ private:
+  struct Wave {
+    double height_px = 0.0;
+    Eigen::Vector2d number_per_px = Eigen::Vector2d::Zero();
+    double phase_rad = 0.0;
+  };
+  double offset_px_ = 0.0;
+  std::vector<Wave> waves_;
+};
+
+// The depths (infinity: none) as a sensor sees them that matches patches: averaged, missing
+// where the surface is steep, each end of a surface displaced by a draw of its own and lines beside
+// it lost. As they are when none of these faults is asked for.
 //
 // Source: Khoshelham and Elberink, "Accuracy and resolution of Kinect depth data", 2012, section 3,
 // for what such sensors do at edges; the forms are ours.

@@ -76,8 +76,15 @@ Setting DepthCameraSetting(std::mt19937_64& random) {
   faults.attitude_rad = RadiansFromDegrees(Uniform(random, 0.0, 3.0));
   faults.step_px = random() % 2 == 0 ? 0.0 : Uniform(random, 0.05, 0.25);
   faults.patch_px = Uniform(random, 0.0, 4.0);
-  faults.edge_px = Uniform(random, 0.0, 2.5);
-  faults.shadow_px = Uniform(random, 0.0, 4.0);
+  if (random() % 2 == 0) {
+    const double incidence_rad = RadiansFromDegrees(Uniform(random, 60.0, 85.0));
+    faults.steepest_m =
+        setting.view.range_m / setting.rangefinder.focal_px * std::tan(incidence_rad);
+  }
+  faults.edge_px = Uniform(random, 0.0, 3.0);
+  faults.shadow_px = Uniform(random, 0.0, 6.0);
+  faults.offset_px = Uniform(random, 0.0, 1.0);
+  faults.ripple_px = Uniform(random, 0.0, 0.4);
   return setting;
 }
 
@@ -105,7 +112,7 @@ std::vector<sensor::ScanSet> MakeTrainingScans(uint64_t seed, uint64_t t, int vi
   const ObjectTracer object(shape.mesh, neighbour ? &*neighbour : nullptr);
   std::vector<sensor::ScanSet> scans;
   for (int k = 0; k < views; ++k) {
-    Setting setting = random() % 4 == 0 ? DepthCameraSetting(random) : RobotSetting(random);
+    Setting setting = random() % 3 == 0 ? DepthCameraSetting(random) : RobotSetting(random);
     setting.view.azimuth_rad = Uniform(random, 0.0, 2.0 * kPi);
     scans.push_back(MakeScan(object, setting.view, setting.faults, setting.rangefinder, random));
     scans.back().truth = shape.label;

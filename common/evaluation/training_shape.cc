@@ -124,6 +124,10 @@ Eigen::Matrix3d DrawPose(const Upright& shape, std::mt19937_64& random) {
   }
   if (kind < 0.3) return Eigen::Matrix3d::Identity();
   if (kind < 0.56) return RotationAboutX(kPi);
+  // A wedge as often as not on one of the flanks that are parallel.
+  if (geons::IsTapered(shape.label) && shape.taper_1.minCoeff() == 0.0 && Chance(random, 0.3)) {
+    return shape.taper_1.x() == 0.0 ? RotationAboutY(kPi / 2) : RotationAboutX(-kPi / 2);
+  }
   // On a flank, which leans inward by the taper.
   const int across = Chance(random, 0.5) ? 0 : 1;
   const double lean_rad =
@@ -178,7 +182,7 @@ TrainingShape MakeTrainingShape(std::mt19937_64& random) {
   if (superquadric && shape.bend_rad > 0.0) {
     geons::BendAlongZ(shape.bend_rad / shape.size_m.z(), &mesh);
   }
-  if (Chance(random, 0.3)) Warp(Uniform(random, 0.0, 0.006), random, &mesh);
+  if (Chance(random, 0.4)) Warp(Uniform(random, 0.0, 0.01), random, &mesh);
   geons::Transform(geometry::MakeTransform(DrawPose(shape, random), Eigen::Vector3d::Zero()),
                    &mesh);
   geons::StandOnGround(&mesh);
