@@ -9,6 +9,7 @@
 
 #include "base/contracts.h"
 #include "evaluation/random_scan.h"
+#include "evaluation/success_rate.h"
 #include "evaluation/training_scan.h"
 #include "evaluation/trial_random.h"
 #include "recognition/measure_evidence.h"
@@ -19,9 +20,8 @@ namespace {
 using recognition::ForestNode;
 
 constexpr double kDecidedRight_1 = 0.999;  // of the decided answers to ordinary scans are right
-constexpr int kOrdinaryShare = 3;          // one ordinary scan for so many to calibrate on
 constexpr int kFewestToSplit = 8;
-constexpr int kTriedAtSplit = 40;  // measurements; the square root of all would be 21
+constexpr int kTriedAtSplit = 100;  // measurements; the square root of all would be 21
 constexpr int kTreesOfGroup = 10;
 constexpr int kViewsOfShape = 4;
 constexpr double kScansShare_1 = 0.5;  // of the time goes into making scans
@@ -179,17 +179,19 @@ std::vector<Confidence> Confidences(const std::vector<Answer>& answers, double s
   return confidences;
 }
 
-// The least posterior from which on kDecidedRight_1 of the answers are right.
+// The least posterior from which on kDecidedRight_1 of the answers are right: with what is known
+// from so many answers, not just in them.
 double DecidedFrom(std::vector<Confidence> confidences) {
   std::sort(confidences.begin(), confidences.end(), [](const Confidence& a, const Confidence& b) {
     return a.posterior_1 > b.posterior_1 || (a.posterior_1 == b.posterior_1 && a.right < b.right);
   });
-  double decided_1 = 1.0, wrong = 0.0;
+  double decided_1 = 1.0;
+  SuccessRate rate;
   for (size_t k = 0; k < confidences.size(); ++k) {
-    if (!confidences[k].right) wrong += 1.0;
+    rate.Count(confidences[k].right);
     const bool last_of_equals =
         k + 1 == confidences.size() || confidences[k + 1].posterior_1 < confidences[k].posterior_1;
-    if (last_of_equals && wrong <= (1.0 - kDecidedRight_1) * static_cast<double>(k + 1)) {
+    if (last_of_equals && WilsonInterval(rate).low_1 >= kDecidedRight_1) {
       decided_1 = confidences[k].posterior_1;
     }
   }
@@ -218,7 +220,7 @@ OwnedForest TrainForest(const TrainingOptions& options, const ForEach& for_each,
                         TrainingReport* report) {
   Require(options.scans >= 100 && options.calibration_scans >= 100,
           "training wants at least 100 scans to grow on and 100 to calibrate on");
-  const int ordinary_scans = options.calibration_scans / kOrdinaryShare;
+  const int ordinary_scans = options.calibration_scans;
   const double scan_share_1 =
       kScansShare_1 / (options.scans + options.calibration_scans + ordinary_scans);
   const Samples grown_on =

@@ -43,9 +43,10 @@ using ForEach =
     std::function<void(double share_1, int count, const std::function<void(int)>& task)>;
 
 // Grows a forest on random scans (training_scan.h), then fits its sharpness by likelihood on others
-// of the same kind. An answer counts as decided from the least posterior from which on 99.9 % of
-// the answers to ordinary scans (random_scan.h) are right. Depends on the options alone, not on how
-// `for_each` goes about it.
+// of the same kind. An answer counts as decided from the least posterior from which on more than
+// 99.9 % of the answers to ordinary scans (random_scan.h, as many as it calibrates on) are right:
+// the lower end of Wilson's interval. Depends on the options alone, not on how `for_each` goes
+// about it.
 //
 // Source: Breiman, "Random forests", 2001, as OpenCV grows them (cv::ml::RTrees).
 OwnedForest TrainForest(const TrainingOptions& options, const ForEach& for_each,

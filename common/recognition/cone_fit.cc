@@ -100,24 +100,39 @@ Residual Off(const Cone& cone, const Across& across, const Eigen::Vector3d& p_m)
   return residual;
 }
 
-void Step(std::span<const Eigen::Vector3d> points_m, double tolerance_m, double extent_m,
-          Cone* cone) {
-  const Across across(cone->axis_L);
+// What the points say of a change of the cone, each weighed by how near it lies.
+struct NormalEquations {
   Matrix6d information = Matrix6d::Zero();
   Vector6d right = Vector6d::Zero();
+  double weights = 0.0;
+  double squares_m2 = 0.0;
+};
+
+NormalEquations Linearize(std::span<const Eigen::Vector3d> points_m, double reach_m,
+                          const Cone& cone, const Across& across) {
+  NormalEquations equations;
   for (const Eigen::Vector3d& p_m : points_m) {
-    const Residual residual = Off(*cone, across, p_m);
-    const double share = residual.off_m / tolerance_m;
+    const Residual residual = Off(cone, across, p_m);
+    const double share = residual.off_m / reach_m;
     const double inside = 1.0 - share * share;
     if (inside <= 0.0) continue;
     const double weight = inside * inside;
     const Vector6d weighted = weight * residual.gradient;
-    information.noalias() += weighted * residual.gradient.transpose();
-    right -= residual.off_m * weighted;
+    equations.information.noalias() += weighted * residual.gradient.transpose();
+    equations.right -= residual.off_m * weighted;
+    equations.weights += weight;
+    equations.squares_m2 += weight * residual.off_m * residual.off_m;
   }
+  equations.information.diagonal().array() += 1e-9;
+  return equations;
+}
+
+void Step(std::span<const Eigen::Vector3d> points_m, double reach_m, double extent_m, Cone* cone) {
+  const Across across(cone->axis_L);
+  const NormalEquations equations = Linearize(points_m, reach_m, *cone, across);
+  Matrix6d information = equations.information;
   information.diagonal() *= 1.0 + kDamping;
-  information.diagonal().array() += 1e-9;
-  const Vector6d step = information.ldlt().solve(right);
+  const Vector6d step = information.ldlt().solve(equations.right);
   if (!step.allFinite()) return;
   const double longest_m = 0.3 * extent_m;
   cone->p_L_m += (across.u * step[0] + across.v * step[1]).cwiseMax(-longest_m).cwiseMin(longest_m);
@@ -126,6 +141,14 @@ void Step(std::span<const Eigen::Vector3d> points_m, double tolerance_m, double 
                      .normalized();
   cone->radius_m = std::clamp(cone->radius_m + step[4], 1e-3, kLargestRadius * extent_m);
   cone->slope_1 = std::clamp(cone->slope_1 + step[5], -kSteepest_1, kSteepest_1);
+}
+
+// How far the slope may be off, from how far the points lie off and how well they hold it.
+double SlopeSigma(std::span<const Eigen::Vector3d> points_m, double reach_m, const Cone& cone) {
+  const NormalEquations equations = Linearize(points_m, reach_m, cone, Across(cone.axis_L));
+  const double variance_m2 = equations.squares_m2 / std::max(equations.weights - 6.0, 1.0);
+  const Vector6d by_slope = equations.information.ldlt().solve(Vector6d::Unit(5));
+  return std::sqrt(std::max(variance_m2 * by_slope[5], 0.0));
 }
 
 double Misfit(std::span<const Eigen::Vector3d> points_m, double tolerance_m, const Cone& cone) {
@@ -163,6 +186,7 @@ Cone FitCone(std::span<const Eigen::Vector3d> given_m, std::span<const OrientedP
   for (int k = 0; k < kLastSteps; ++k)
     Step(points_m, kWidths.back() * tolerance_m, extent_m, &best);
   best.misfit_1 = Misfit(points_m, tolerance_m, best);
+  best.slope_sigma_1 = SlopeSigma(points_m, kWidths.back() * tolerance_m, best);
   // Level with the points' middle, which is the origin here.
   const double along_m = -best.p_L_m.dot(best.axis_L);
   best.radius_m += best.slope_1 * along_m;

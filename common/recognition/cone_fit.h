@@ -12,7 +12,8 @@ struct Cone {
   Eigen::Vector3d axis_L = Eigen::Vector3d::UnitZ();  // unit
   double radius_m = 0.0;                              // at p_L_m
   double slope_1 = 0.0;                               // radius gained per length along the axis
-  double misfit_1 = 1.0;  // mean over the points of min(1, (distance / tolerance)^2)
+  double slope_sigma_1 = 0.0;  // standard deviation, from how far the points lie off the cone
+  double misfit_1 = 1.0;       // mean over the points of min(1, (distance / tolerance)^2)
 };
 
 // A point with the surface's normal, outward.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "recognition/face_evidence.h"
 #include "recognition/outline_evidence.h"
 #include "recognition/round_evidence.h"
 #include "recognition/stripe_evidence.h"
@@ -74,6 +75,8 @@ EvidenceList MeasureEvidence(const TargetView& view, bool with_names) {
   const CrossingGrid grid = FindCrossings(view);
   evidence.BeginGroup("surface");
   AddSurfaceEvidence(grid, scale_m, &evidence);
+  evidence.BeginGroup("faces");
+  AddFaceEvidence(stripes, grid, &evidence);
   evidence.BeginGroup("round");
   AddRoundEvidence(stripes, grid, scale_m, &evidence);
   evidence.BeginGroup("view");

@@ -86,9 +86,14 @@ void AddConvergence(const Side& first, const Side& last, double scale_m, Evidenc
   };
   evidence->Add("asymmetry_1", (step_m(first, 0, 1) + step_m(last, 0, 1)) / scale_m);
   evidence->Add("asymmetry_2", (step_m(first, 1, 2) + step_m(last, 1, 2)) / scale_m);
-  const Eigen::Vector3d u = (first.p_L_m[2] - first.p_L_m[0]).normalized();
-  const Eigen::Vector3d v = (last.p_L_m[2] - last.p_L_m[0]).normalized();
-  evidence->Add("convergence", std::atan2(u.cross(v).norm(), u.dot(v)));
+  const auto apart_rad = [&](size_t a, size_t b) {
+    const Eigen::Vector3d u = first.p_L_m[b] - first.p_L_m[a], v = last.p_L_m[b] - last.p_L_m[a];
+    return std::atan2(u.cross(v).norm(), u.dot(v));
+  };
+  evidence->Add("convergence", apart_rad(0, 2));
+  evidence->Add("convergence_1", apart_rad(0, 1));
+  evidence->Add("convergence_2", apart_rad(1, 2));
+  const Eigen::Vector3d u = first.p_L_m[2] - first.p_L_m[0], v = last.p_L_m[2] - last.p_L_m[0];
   evidence->Add("slope_difference", Along(u) - Along(v));
   const Eigen::Vector3d middle = (last.p_L_m[1] - first.p_L_m[1]).normalized();
   evidence->Add("slope_across", Along(middle));
@@ -115,7 +120,7 @@ void AddOutlineEvidence(const std::vector<TargetStripe>& stripes, const BwCamera
     const char* names[] = {"left", "right", "top", "bottom", "horizontal", "vertical"};
     if (!complete) {
       evidence->BeginGroup(names[4 + direction]);
-      AddZeros(8 + 8 + 9 + 5, evidence);
+      AddZeros(8 + 8 + 9 + 7, evidence);
       continue;
     }
     evidence->BeginGroup(names[2 * direction]);

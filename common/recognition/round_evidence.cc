@@ -11,6 +11,7 @@ namespace {
 constexpr size_t kPointsOfStripe = 15;
 constexpr double kConeTolerance_1 = 0.006;  // of the scale
 constexpr double kNoises = 1.5;
+constexpr double kLeastSigma_1 = 0.003;  // no slope is known better
 
 struct Sample {
   std::vector<Eigen::Vector3d> points_m;
@@ -67,6 +68,8 @@ void AddRoundEvidence(const std::vector<TargetStripe>& stripes, const CrossingGr
   evidence->Add("misfit", cone.misfit_1);
   evidence->Add("slope", cone.slope_1);
   evidence->Add("taper", std::abs(cone.slope_1));
+  evidence->Add("taper_sigma", std::min(cone.slope_sigma_1, 1.0));
+  evidence->Add("taper_sigmas", std::abs(cone.slope_1) / (cone.slope_sigma_1 + kLeastSigma_1));
   evidence->Add("growth", std::min(std::abs(cone.slope_1) * extent_m / radius_m, 5.0));
   evidence->Add("radius", std::min(radius_m / scale_m, 10.0));
   evidence->Add("length", std::min(extent_m / scale_m, 10.0));

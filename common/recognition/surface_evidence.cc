@@ -8,9 +8,6 @@
 #include <optional>
 #include <string_view>
 
-#include "base/angles.h"
-#include "recognition/quantiles.h"
-
 namespace geon::recognition {
 namespace {
 
@@ -81,29 +78,6 @@ void AddScatter(const CrossingGrid& grid, double scale_m, EvidenceList* evidence
   evidence->Add("mean_normal_length", mean_n.norm());
 }
 
-// How far the angles between the faces that the crossings lie on are from 0 and 90 degrees, and how
-// far the faces lean from upright and level: nothing of it on a cuboid, whichever side it stands
-// on.
-void AddFaces(const CrossingGrid& grid, EvidenceList* evidence) {
-  std::vector<Eigen::Vector3d> normals;
-  for (const auto& row : grid) {
-    for (const auto& crossing : row) {
-      if (crossing) normals.push_back(crossing->face_normal_L);
-    }
-  }
-  const auto fold = [](double cosine) {
-    const double angle_rad = std::acos(std::min(std::abs(cosine), 1.0));
-    return std::min(angle_rad, kPi / 2 - angle_rad);
-  };
-  std::vector<double> skews_rad, leans_rad;
-  for (size_t a = 0; a < normals.size(); ++a) {
-    leans_rad.push_back(fold(normals[a].z()));
-    for (size_t b = 0; b < a; ++b) skews_rad.push_back(fold(normals[a].dot(normals[b])));
-  }
-  AddQuantiles("skew_", std::move(skews_rad), evidence);
-  AddQuantiles("lean_", std::move(leans_rad), evidence);
-}
-
 }  // namespace
 
 void AddSurfaceEvidence(const CrossingGrid& grid, double scale_m, EvidenceList* evidence) {
@@ -121,7 +95,6 @@ void AddSurfaceEvidence(const CrossingGrid& grid, double scale_m, EvidenceList* 
   }
   AddCurvatures(grid, scale_m, evidence);
   AddScatter(grid, scale_m, evidence);
-  AddFaces(grid, evidence);
 }
 
 }  // namespace geon::recognition

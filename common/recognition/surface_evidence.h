@@ -6,8 +6,7 @@
 namespace geon::recognition {
 
 // What the nine crossings of three horizontal with three vertical stripes say about the surface:
-// its normals there, how it curves between neighbours, whether they lie in one plane, how the faces
-// they lie on stand to each other.
+// its normals there, how it curves between neighbours, whether they lie in one plane.
 //
 // Source: ours; the thesis reads each stripe by itself. `scale_m` is the mean length of the
 // stripes. A crossing that does not exist gives zeros.

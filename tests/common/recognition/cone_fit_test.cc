@@ -18,8 +18,8 @@ struct Seen {
 
 // The half of a cone that faces -x, turned by `turn`, with `noise_m` on its 90 points and a few
 // points of its flat end; 9 of them with normals.
-Seen HalfCone(double slope_1, const Eigen::AngleAxisd& turn, double noise_m) {
-  std::mt19937_64 random(1);
+Seen HalfCone(double slope_1, const Eigen::AngleAxisd& turn, double noise_m, uint64_t seed = 1) {
+  std::mt19937_64 random(seed);
   std::normal_distribution<double> gauss(0.0, noise_m);
   const Eigen::Vector3d shift_m(1.0, 0.1, 0.2);
   Seen seen;
@@ -60,6 +60,19 @@ TEST(FitCone, ACylinderHasNoSlope) {
   const Cone cone = FitCone(seen.points_m, seen.oriented, 0.002);
   EXPECT_NEAR(cone.slope_1, 0.0, 0.02);
   EXPECT_NEAR(cone.radius_m, 0.06, 0.002);
+}
+
+TEST(FitCone, TellsHowFarTheSlopeMayBeOff) {
+  constexpr int kFits = 200;
+  double squares = 0.0, sigmas = 0.0;
+  for (uint64_t seed = 1; seed <= kFits; ++seed) {
+    const Seen seen = HalfCone(0.1, Eigen::AngleAxisd::Identity(), 0.0005, seed);
+    const Cone cone = FitCone(seen.points_m, seen.oriented, 0.002);
+    const double slope_1 = std::copysign(cone.slope_1, cone.slope_1 * cone.axis_L.z());
+    squares += std::pow(slope_1 - 0.1, 2);
+    sigmas += cone.slope_sigma_1;
+  }
+  EXPECT_NEAR(sigmas / kFits / std::sqrt(squares / kFits), 1.0, 0.3);
 }
 
 TEST(FitCone, OfTooFewPointsOrAPlaneSaysThatNothingFits) {

@@ -11,18 +11,20 @@
 namespace geon::recognition {
 namespace {
 
-double Growth(GeonLabel label) {
+double Measured(GeonLabel label, const char* name) {
   for (const geons::GeonShape& shape : PlainGeons()) {
     if (shape.label == label) {
-      return ValueOf(MeasureScan(*ScanOfGeon(shape, 0.3, {}, 1), {}, true), "round.growth");
+      return ValueOf(MeasureScan(*ScanOfGeon(shape, 0.3, {}, 1), {}, true), name);
     }
   }
   return -1.0;
 }
 
 TEST(RoundEvidence, ATaperedCylinderGrowsAndACylinderDoesNot) {
-  EXPECT_GT(Growth(GeonLabel::kTaperedCylinder), 0.6);
-  EXPECT_LT(Growth(GeonLabel::kCylinder), 0.3);
+  EXPECT_GT(Measured(GeonLabel::kTaperedCylinder, "round.growth"), 0.6);
+  EXPECT_LT(Measured(GeonLabel::kCylinder, "round.growth"), 0.3);
+  EXPECT_GT(Measured(GeonLabel::kTaperedCylinder, "round.taper_sigmas"), 6.0);
+  EXPECT_LT(Measured(GeonLabel::kCylinder, "round.taper_sigmas"), 4.0);
 }
 
 TEST(RoundEvidence, OfNothingIsFiniteAndSaysThatNothingFits) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include "base/angles.h"
 #include "tests/common/recognition/evidence_of.h"
 #include "tests/common/recognition/surface_view.h"
 
@@ -36,15 +35,6 @@ TEST(SurfaceEvidence, ACylinderCurvesOneWayASphereBoth) {
   EXPECT_NEAR(ValueOf(cylinder, ".along_columns_rank_2"), 0.0, 0.1);
   EXPECT_NEAR(ValueOf(ball, ".along_rows_rank_2"), 1.0, 0.1);
   EXPECT_NEAR(ValueOf(ball, ".along_columns_rank_2"), 1.0, 0.1);
-}
-
-TEST(SurfaceEvidence, TheFacesOfARidgeStandAskewUnlessItIsARightAngle) {
-  const auto ridge = [](double steepness) {
-    return Describe([=](double y_m, double) { return -steepness * std::abs(y_m - 0.02); });
-  };
-  EXPECT_NEAR(ValueOf(ridge(1.0), ".skew_max"), 0.0, 0.03);
-  EXPECT_NEAR(ValueOf(ridge(0.5), ".skew_max"), kPi / 2 - 2.0 * std::atan(0.5), 0.03);
-  EXPECT_NEAR(ValueOf(ridge(0.5), ".lean_max"), 0.0, 0.03) << "both faces are upright";
 }
 
 TEST(SurfaceEvidence, WithoutCrossingsThereIsNothing) {
