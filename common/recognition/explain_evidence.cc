@@ -77,8 +77,9 @@ std::string PosteriorWords(const GeonVerdict& verdict) {
   std::string words = "weighed together:";
   for (size_t k : order) {
     if (verdict.posterior[k] < kWorthNaming && k != order[0]) continue;
-    words += " " + std::string(ToString(static_cast<GeonLabel>(k))) + " " +
-             Whole(100.0 * verdict.posterior[k]) + " %,";
+    std::string label(ToString(static_cast<GeonLabel>(k)));
+    std::replace(label.begin(), label.end(), '_', ' ');
+    words += " " + label + " " + Whole(100.0 * verdict.posterior[k]) + " %,";
   }
   words.back() = '.';
   return words;

@@ -25,7 +25,7 @@ TEST(ExplainEvidence, SaysWhatSpeaksForTheVerdict) {
                   "tapering: 3 horizontal lengths 100, 110, 132 mm (+10 %, +20 %); no vertical "
                   "stripe on the target.",
                   "surface: curves in 3 of 3 profiles, corners in 0.",
-                  "weighed together: tapered_cylinder 90 %, cylinder 10 %."));
+                  "weighed together: tapered cylinder 90 %, cylinder 10 %."));
 }
 
 }  // namespace
