@@ -7,6 +7,7 @@
 #include "base/angles.h"
 #include "base/contracts.h"
 #include "evaluation/stripe_noise.h"
+#include "evaluation/trial_random.h"
 #include "geometry/rigid_transform.h"
 
 namespace geon::evaluation {
@@ -151,8 +152,7 @@ double MeasuredDepth(double z_m, double error_px, const Camera& camera, const Fa
 RigidTransform Believed(const RigidTransform& X_LB, double attitude_rad, std::mt19937_64& random) {
   if (attitude_rad == 0.0) return X_LB;
   std::normal_distribution<double> gauss;
-  const Eigen::Vector3d axis(gauss(random), gauss(random), gauss(random));
-  const Eigen::AngleAxisd turn(attitude_rad, axis.normalized());
+  const Eigen::AngleAxisd turn(attitude_rad, NormalVector(random, gauss).normalized());
   return geometry::MakeTransform(X_LB.linear() * turn.toRotationMatrix(), X_LB.translation());
 }
 

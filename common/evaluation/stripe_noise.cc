@@ -94,8 +94,9 @@ void MoveEdges(std::span<const double> before_m, const FaultOptions& faults,
     const std::ptrdiff_t edge = i + std::lround(faults.edge_px * gauss(random));
     fill(i, edge, left_m);
     fill(edge, i, right_m);
-    fill(edge - std::lround(faults.shadow_px * uniform(random)),
-         edge + std::lround(faults.shadow_px * uniform(random)), kInfinity);
+    const std::ptrdiff_t after = std::lround(faults.shadow_px * uniform(random));
+    const std::ptrdiff_t before = std::lround(faults.shadow_px * uniform(random));
+    fill(edge - before, edge + after, kInfinity);
   }
 }
 

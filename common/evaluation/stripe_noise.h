@@ -23,7 +23,7 @@ std::vector<StripeError> StripeErrors(size_t lines, const FaultOptions& faults,
 // What a depth camera's calibration leaves of errors in the offsets, all over one image.
 //
 // Source: Herrera, Kannala and Heikkila, "Joint depth and color camera calibration with distortion
-// correction", 2012, section 3: smooth patterns of about a pixel; the waves are ours.
+// correction", 2012, for smooth patterns in the offsets; their sizes and the waves are ours.
 class OffsetError {
  public:
   OffsetError(const FaultOptions& faults, std::mt19937_64& random);

@@ -141,10 +141,10 @@ Eigen::Matrix3d DrawPose(const Upright& shape, std::mt19937_64& random) {
 void Warp(double most_1, std::mt19937_64& random, TriangleMesh* mesh) {
   const double size_m = geons::Bounds(*mesh).sizes().maxCoeff();
   std::normal_distribution<double> gauss;
-  const auto vector = [&] { return Eigen::Vector3d(gauss(random), gauss(random), gauss(random)); };
   for (int wave = 0; wave < 3; ++wave) {
-    const Eigen::Vector3d step_m = vector().normalized() * (most_1 * size_m / 3.0);
-    const Eigen::Vector3d number_per_m = vector() * (kPi / size_m);
+    const Eigen::Vector3d step_m =
+        NormalVector(random, gauss).normalized() * (most_1 * size_m / 3.0);
+    const Eigen::Vector3d number_per_m = NormalVector(random, gauss) * (kPi / size_m);
     const double phase_rad = Uniform(random, 0.0, 2.0 * kPi);
     for (Eigen::Vector3d& p_m : mesh->vertices_m) {
       p_m += step_m * std::sin(number_per_m.dot(p_m) + phase_rad);
@@ -164,8 +164,8 @@ TriangleMesh MakeVessel(const Upright& shape, std::mt19937_64& random) {
   vessel.size_m.z() = shape.size_m.z();
   if (geons::IsRound(shape.label)) vessel.size_m.y() = vessel.size_m.x();
   vessel.position = geons::IsTapered(shape.label) && Chance(random, 0.7) ? 3 : 1;
-  return geons::PolygonVessel(vessel, Uniform(random, 0.03, 0.2),
-                              24 + 4 * static_cast<int>(random() % 19));
+  const int sides = 24 + 4 * static_cast<int>(random() % 19);
+  return geons::PolygonVessel(vessel, Uniform(random, 0.03, 0.2), sides);
 }
 
 }  // namespace

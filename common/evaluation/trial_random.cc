@@ -21,4 +21,10 @@ double Uniform(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
+Eigen::Vector3d NormalVector(std::mt19937_64& random, std::normal_distribution<double>& gauss) {
+  Eigen::Vector3d vector;
+  for (int axis = 2; axis >= 0; --axis) vector[axis] = gauss(random);
+  return vector;
+}
+
 }  // namespace geon::evaluation

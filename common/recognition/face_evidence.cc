@@ -93,9 +93,9 @@ void AddFaces(const std::vector<Face>& all, EvidenceList* evidence) {
       const double skew_rad = Skew(normal.dot(faces[b].normal()));
       most_rad = std::max(most_rad, skew_rad);
       sum_rad += skew_rad;
-      const bool upright =
-          std::max(std::abs(normal.z()), std::abs(faces[b].normal().z())) < std::sin(kUpright_rad);
-      if (upright) upright_rad = std::max(upright_rad, skew_rad);
+      if (IsUpright(normal) && IsUpright(faces[b].normal())) {
+        upright_rad = std::max(upright_rad, skew_rad);
+      }
     }
   }
   evidence->Add("skew", most_rad);

@@ -16,5 +16,12 @@ TEST(TrialRandom, DependsOnSeedAndTrialAlone) {
   EXPECT_EQ(first.size(), 900U);
 }
 
+TEST(NormalVector, DrawsZFirst) {
+  std::mt19937_64 random(1), other(1);
+  std::normal_distribution<double> gauss, again;
+  const Eigen::Vector3d vector = NormalVector(random, gauss);
+  for (int axis : {2, 1, 0}) EXPECT_EQ(vector[axis], again(other));
+}
+
 }  // namespace
 }  // namespace geon::evaluation

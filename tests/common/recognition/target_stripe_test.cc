@@ -10,7 +10,7 @@
 namespace geon::recognition {
 namespace {
 
-TargetView Find(const sensor::ScanSet& scan) {
+TargetView FindView(const sensor::ScanSet& scan) {
   const auto region = FindVerticalRegion(scan, {});
   return FindTargetView(scan, region, FindRegionProfiles(scan, region), {}, {});
 }
@@ -20,7 +20,7 @@ sensor::ScanSet Scan() { return *ScanOfGeon(PlainGeons()[0], 0.3, {}, 1); }
 TEST(FindTargetView, GivesSixInTheirOrder) {
   sensor::ScanSet scan = Scan();
   std::reverse(scan.profiles.begin(), scan.profiles.end());
-  const auto stripes = Find(scan).stripes;
+  const auto stripes = FindView(scan).stripes;
   ASSERT_EQ(stripes.size(), 6U);
   for (size_t k = 0; k < 6; ++k) {
     EXPECT_EQ(stripes[k].laser, k < 3 ? sensor::Laser::kHorizontal : sensor::Laser::kVertical);
@@ -33,7 +33,7 @@ TEST(FindTargetView, GivesSixInTheirOrder) {
 TEST(FindTargetView, LeavesAMissingStripeEmpty) {
   sensor::ScanSet scan = Scan();
   scan.profiles.erase(scan.profiles.begin() + 4);
-  const auto stripes = Find(scan).stripes;
+  const auto stripes = FindView(scan).stripes;
   ASSERT_EQ(stripes.size(), 6U);
   EXPECT_TRUE(stripes[4].empty());
   EXPECT_FALSE(stripes[5].empty());
@@ -46,7 +46,7 @@ TEST(FindTargetView, DropsASpike) {
   const Eigen::Vector3d ray = (points[middle] - scan.camera_position_L_m).normalized();
   points[middle] -= 0.03 * ray;
   const Eigen::Vector3d spike = points[middle];
-  const auto stripes = Find(scan).stripes;
+  const auto stripes = FindView(scan).stripes;
   for (const Eigen::Vector3d& p_L : stripes[1].p_L_m) {
     EXPECT_GT((p_L - spike).norm(), 0.01);
   }
@@ -77,7 +77,7 @@ sensor::ScanSet PanelBeforeSomething() {
 }
 
 TEST(FindTargetView, LeavesOutWhatStandsBehindTheTarget) {
-  const TargetView view = Find(PanelBeforeSomething());
+  const TargetView view = FindView(PanelBeforeSomething());
   for (const TargetStripe& stripe : view.stripes) {
     ASSERT_EQ(stripe.segment_begins.size(), 1U);
     for (const Eigen::Vector3d& p_m : stripe.p_L_m) EXPECT_NEAR(p_m.x(), 1.0, 1e-9);
@@ -89,14 +89,14 @@ TEST(FindTargetView, LeavesOutWhatStandsBesideTheTarget) {
   scan.target_box->w_px = 280;  // the rest of the panel is another's
   sensor::RangeProfile& profile = scan.profiles[0];
   for (size_t i = 282; i < profile.p_L_m.size(); ++i) profile.p_L_m[i] *= 1.1;
-  const TargetStripe stripe = Find(scan).stripes[0];
+  const TargetStripe stripe = FindView(scan).stripes[0];
   EXPECT_EQ(stripe.segment_begins.size(), 1U);
   EXPECT_NEAR(static_cast<double>(stripe.p_L_m.size()), 282.0, 1.0);
 }
 
 TEST(FindTargetView, LeavesOutEndsThatAreDrawnOutAlongTheRays) {
   sensor::ScanSet scan = Scan();
-  const TargetView alone = Find(scan);
+  const TargetView alone = FindView(scan);
   sensor::RangeProfile& profile = scan.profiles[1];
   size_t last = 0;  // on the target
   for (size_t i = 0; i < profile.p_L_m.size(); ++i) {
@@ -109,7 +109,7 @@ TEST(FindTargetView, LeavesOutEndsThatAreDrawnOutAlongTheRays) {
     profile.pixel.insert(profile.pixel.begin() + static_cast<std::ptrdiff_t>(last) + 1,
                          profile.pixel[last] + 1);
   }
-  const TargetView view = Find(scan);
+  const TargetView view = FindView(scan);
   EXPECT_NEAR(static_cast<double>(view.stripes[1].p_L_m.size()),
               static_cast<double>(alone.stripes[1].p_L_m.size()), 4.0);
 }
