@@ -65,7 +65,8 @@ TEST_F(ScanAssemblerTest, GivesTheVerdictWithTheLastStripeAndItsTime) {
   EXPECT_EQ(answer.verdict->scan_id, 7);
   EXPECT_EQ(answer.verdict->utime, Stripe(5).utime);
   EXPECT_EQ(answer.verdict->profiles.size(), 6U);
-  EXPECT_TRUE(answer.verdict->decided);
+  EXPECT_EQ(answer.verdict->method, "evidence");
+  EXPECT_FALSE(answer.verdict->reasons.empty());
 }
 
 TEST_F(ScanAssemblerTest, TheOrderOfTheStripesDoesNotMatter) {
