@@ -12,10 +12,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSpeckleLength_px = 4.0;
 constexpr double kOutlierReach_px = 20.0;
-constexpr double kJump_m = 0.03;  // a larger step is a jump of depth
+constexpr double kJump_m = 0.03;   // a larger step is a jump of depth
+constexpr double kMixes_1 = 0.02;  // of lines beside a jump mix both sides
 constexpr int kWaves = 3;
 constexpr double kImage_px = 640.0;
-constexpr double kMixes_1 = 0.02;  // of lines beside a jump mix both sides
 
 // A first-order autoregression of deviation 1.
 class Autoregression {
@@ -36,6 +36,7 @@ class Autoregression {
 // Mean over a patch, of the depths that belong to the surface in its middle; now and then of all.
 double PatchMean(std::span<const double> depths_m, std::ptrdiff_t middle, int half, bool mixes) {
   const double depth_m = depths_m[static_cast<size_t>(middle)];
+  if (!std::isfinite(depth_m)) return depth_m;
   const auto last = static_cast<std::ptrdiff_t>(depths_m.size()) - 1;
   double sum_m = 0.0, count = 0.0;
   for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(middle - half, 0);
@@ -45,7 +46,7 @@ double PatchMean(std::span<const double> depths_m, std::ptrdiff_t middle, int ha
     sum_m += other_m;
     count += 1.0;
   }
-  return count > 0.0 && std::isfinite(depth_m) ? sum_m / count : depth_m;
+  return sum_m / count;
 }
 
 std::vector<double> PatchMeans(std::span<const double> depths_m, int half,

@@ -220,16 +220,14 @@ OwnedForest TrainForest(const TrainingOptions& options, const ForEach& for_each,
                         TrainingReport* report) {
   Require(options.scans >= 100 && options.calibration_scans >= 100,
           "training wants at least 100 scans to grow on and 100 to calibrate on");
-  const int ordinary_scans = options.calibration_scans;
-  const double scan_share_1 =
-      kScansShare_1 / (options.scans + options.calibration_scans + ordinary_scans);
+  const double scan_share_1 = kScansShare_1 / (options.scans + 2 * options.calibration_scans);
   const Samples grown_on =
       MeasureScans(0, options.scans, scan_share_1 * options.scans, options.seed, for_each);
   const Samples calibration =
       MeasureScans(static_cast<uint64_t>(options.scans), options.calibration_scans,
                    scan_share_1 * options.calibration_scans, options.seed, for_each);
-  const Samples ordinary =
-      MeasureOrdinaryScans(ordinary_scans, scan_share_1 * ordinary_scans, options.seed, for_each);
+  const Samples ordinary = MeasureOrdinaryScans(
+      options.calibration_scans, scan_share_1 * options.calibration_scans, options.seed, for_each);
   OwnedForest forest;
   forest.features = grown_on.values.cols;
   for (const cv::Ptr<cv::ml::RTrees>& trees :

@@ -124,7 +124,7 @@ Eigen::Matrix3d DrawPose(const Upright& shape, std::mt19937_64& random) {
   }
   if (kind < 0.3) return Eigen::Matrix3d::Identity();
   if (kind < 0.56) return RotationAboutX(kPi);
-  // A wedge as often as not on one of the flanks that are parallel.
+  // A wedge lies on the flanks that are parallel about twice as often as on the others.
   if (geons::IsTapered(shape.label) && shape.taper_1.minCoeff() == 0.0 && Chance(random, 0.3)) {
     return shape.taper_1.x() == 0.0 ? RotationAboutY(kPi / 2) : RotationAboutX(-kPi / 2);
   }

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "base/plain_name.h"
+
 namespace geon::recognition {
 namespace {
 
@@ -77,9 +79,8 @@ std::string PosteriorWords(const GeonVerdict& verdict) {
   std::string words = "weighed together:";
   for (size_t k : order) {
     if (verdict.posterior[k] < kWorthNaming && k != order[0]) continue;
-    std::string label(ToString(static_cast<GeonLabel>(k)));
-    std::replace(label.begin(), label.end(), '_', ' ');
-    words += " " + label + " " + Whole(100.0 * verdict.posterior[k]) + " %,";
+    words += " " + PlainName(static_cast<GeonLabel>(k)) + " " +
+             Whole(100.0 * verdict.posterior[k]) + " %,";
   }
   words.back() = '.';
   return words;

@@ -12,8 +12,8 @@ namespace geon::recognition {
 //
 // Source: thesis sections 5.4 and 5.5, equations 5.3-5.8, as signed ratios of the geon's size
 // instead of YES or NO, in the image (where a straight edge stays straight whatever its depth) and
-// in space. `stripes` as from FindTargetView; `scale_m` the mean length of
-// the stripes. A side with an empty stripe gives zeros.
+// in space. `stripes` as from FindTargetView; `scale_m` the mean length of the stripes. A side with
+// an empty stripe gives zeros.
 void AddOutlineEvidence(const std::vector<TargetStripe>& stripes, const BwCamera& camera,
                         double scale_m, EvidenceList* evidence);
 

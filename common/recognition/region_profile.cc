@@ -5,7 +5,8 @@
 namespace geon::recognition {
 namespace {
 
-// The two planes through the camera's centre that bound a region: their normals, into it.
+// VerticalRegion::Holds for every point of a scan, with two products a point: the normals, into the
+// region, of the two planes through the camera's centre that bound it.
 struct Sides {
   Eigen::Vector3d left_L, right_L;
 };

@@ -1,15 +1,8 @@
 #include "procs/geon/verdict_text.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace geon::cli {
-
-std::string PlainName(GeonLabel label) {
-  std::string name(ToString(label));
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
 
 std::string WithArticle(GeonLabel label) {
   return (label == GeonLabel::kEllipsoid ? "an " : "a ") + PlainName(label);

@@ -5,6 +5,7 @@
 #include "base/angles.h"
 #include "base/contracts.h"
 #include "base/geon_label.h"
+#include "base/plain_name.h"
 #include "base/status.h"
 #include "base/time.h"
 
@@ -59,6 +60,7 @@ TEST(GeonLabelTest, NamesGoThereAndBack) {
     EXPECT_EQ(GeonLabelFromString(ToString(label)), label);
   }
   EXPECT_FALSE(GeonLabelFromString("sphere").has_value());
+  EXPECT_EQ(PlainName(GeonLabel::kTaperedCylinder), "tapered cylinder");
 }
 
 }  // namespace

@@ -5,34 +5,26 @@
 #include <cmath>
 
 #include "geometry/rigid_transform.h"
+#include "tests/common/recognition/wall_scan.h"
 
 namespace geon::recognition {
 namespace {
 
-// A camera at (0, 0, 1) that looks along x, and a horizontal stripe on a wall 2 m ahead, from 0.2 m
-// left of the middle to 0.2 m right of it; the fourth point lies behind the camera.
-sensor::ScanSet WallScan() {
-  sensor::ScanSet scan;
-  scan.camera_position_L_m = {0.0, 0.0, 1.0};
-  scan.rotation_LB = geometry::CameraAxesInBody();
-  sensor::RangeProfile profile;
-  profile.laser = sensor::Laser::kHorizontal;
-  profile.fraction = 0.25;
-  for (int i = 0; i <= 40; ++i) {
-    profile.pixel.push_back(100 + i);
-    profile.p_L_m.emplace_back(i == 3 ? -2.0 : 2.0, 0.2 - 0.01 * i, 0.8);
-  }
-  scan.profiles.push_back(profile);
+// A wall, whose fourth point lies behind the camera.
+sensor::ScanSet WallWithAPointBehind() {
+  sensor::ScanSet scan = WallScan(41, 0.2, 0.01);
+  scan.profiles[0].p_L_m[3].x() = -2.0;
+  scan.profiles[0].fraction = 0.25;
   return scan;
 }
 
 TEST(FindRegionProfile, KeepsWhatLiesBetweenTheTwoPlanes) {
-  const sensor::ScanSet scan = WallScan();
+  const sensor::ScanSet scan = WallWithAPointBehind();
   const RegionProfile part =
       FindRegionProfile(scan.profiles[0], scan, VerticalRegion{-0.0525, 0.02});
   ASSERT_EQ(part.pixel.size(), 15U);  // tangents of -0.05 to 0.02
-  EXPECT_EQ(part.pixel.front(), 110);
-  EXPECT_EQ(part.pixel.back(), 124);
+  EXPECT_EQ(part.pixel.front(), 10);
+  EXPECT_EQ(part.pixel.back(), 24);
   EXPECT_EQ(part.p_L_m.front(), scan.profiles[0].p_L_m[10]);
   EXPECT_EQ(part.p_L_m.size(), part.pixel.size());
   EXPECT_EQ(part.depth_m, std::vector<double>(15, 2.0));
@@ -41,14 +33,14 @@ TEST(FindRegionProfile, KeepsWhatLiesBetweenTheTwoPlanes) {
 }
 
 TEST(FindRegionProfile, KeepsAllBeforeTheCameraWhereThereIsNoRegion) {
-  const sensor::ScanSet scan = WallScan();
+  const sensor::ScanSet scan = WallWithAPointBehind();
   const RegionProfile part = FindRegionProfile(scan.profiles[0], scan, std::nullopt);
   EXPECT_EQ(part.pixel.size(), 40U);
-  EXPECT_EQ(part.pixel[3], 104);
+  EXPECT_EQ(part.pixel[3], 4);
 }
 
 TEST(FindRegionProfile, MeasuresDepthsInTheCameraAsItStoodAtTheStripe) {
-  sensor::ScanSet scan = WallScan();
+  sensor::ScanSet scan = WallWithAPointBehind();
   scan.profiles[0].rotation_LB = geometry::RotationAboutZ(0.1) * scan.rotation_LB;
   const RegionProfile part = FindRegionProfile(scan.profiles[0], scan, std::nullopt);
   EXPECT_EQ(part.camera.R_LB, *scan.profiles[0].rotation_LB);
@@ -56,7 +48,7 @@ TEST(FindRegionProfile, MeasuresDepthsInTheCameraAsItStoodAtTheStripe) {
 }
 
 TEST(FindRegionProfiles, GivesOneForEachProfile) {
-  sensor::ScanSet scan = WallScan();
+  sensor::ScanSet scan = WallWithAPointBehind();
   scan.profiles.emplace_back();
   const auto parts = FindRegionProfiles(scan, std::nullopt);
   ASSERT_EQ(parts.size(), 2U);

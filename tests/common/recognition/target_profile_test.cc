@@ -5,25 +5,10 @@
 #include <cmath>
 
 #include "geometry/rigid_transform.h"
+#include "tests/common/recognition/wall_scan.h"
 
 namespace geon::recognition {
 namespace {
-
-// A camera one metre up that looks along x; a horizontal stripe on a wall two metres away, 1 mm
-// from pixel to pixel, from y = 0.1 to the right.
-sensor::ScanSet WallScan() {
-  sensor::ScanSet scan;
-  scan.camera_position_L_m = {0.0, 0.0, 1.0};
-  scan.rotation_LB = geometry::CameraAxesInBody();
-  sensor::RangeProfile profile;
-  profile.laser = sensor::Laser::kHorizontal;
-  for (int i = 0; i < 200; ++i) {
-    profile.pixel.push_back(i);
-    profile.p_L_m.emplace_back(2.0, 0.1 - 0.001 * i, 0.8);
-  }
-  scan.profiles.push_back(profile);
-  return scan;
-}
 
 TargetProfile Find(const sensor::ScanSet& scan, Smoothing kind = Smoothing::kMedian) {
   SmoothingOptions smoothing;
@@ -32,7 +17,7 @@ TargetProfile Find(const sensor::ScanSet& scan, Smoothing kind = Smoothing::kMed
 }
 
 TEST(FindTargetProfile, SmoothsDepthsAlongTheViewingRays) {
-  sensor::ScanSet scan = WallScan();
+  sensor::ScanSet scan = WallScan(200, 0.1, 0.001);
   const Eigen::Vector3d& p_LB_m = scan.camera_position_L_m;
   for (size_t i = 0; i < 200; ++i) {
     scan.profiles[0].p_L_m[i].x() += 0.002 * std::sin(17.0 * static_cast<double>(i));
@@ -53,7 +38,7 @@ TEST(FindTargetProfile, SmoothsDepthsAlongTheViewingRays) {
 }
 
 TEST(FindTargetProfile, SplitsWhereTheTargetDoesNotHangTogether) {
-  sensor::ScanSet scan = WallScan();
+  sensor::ScanSet scan = WallScan(200, 0.1, 0.001);
   for (size_t i = 120; i < 200; ++i) scan.profiles[0].p_L_m[i].x() += 0.3;
   const TargetProfile target = Find(scan);
   ASSERT_EQ(target.segments.size(), 2U);
@@ -63,13 +48,13 @@ TEST(FindTargetProfile, SplitsWhereTheTargetDoesNotHangTogether) {
 }
 
 TEST(FindTargetProfile, HasNoSegmentsWhenAllIsFloor) {
-  sensor::ScanSet scan = WallScan();
+  sensor::ScanSet scan = WallScan(200, 0.1, 0.001);
   for (Eigen::Vector3d& p_L : scan.profiles[0].p_L_m) p_L.z() = 0.005;
   EXPECT_TRUE(Find(scan).segments.empty());
 }
 
 TEST(FindTargetProfile, LooksAlongTheStripesOwnRotation) {
-  sensor::ScanSet scan = WallScan();
+  sensor::ScanSet scan = WallScan(200, 0.1, 0.001);
   EXPECT_EQ(Find(scan).R_LB, scan.rotation_LB);
   scan.profiles[0].rotation_LB = geometry::RotationAboutZ(0.1) * scan.rotation_LB;
   EXPECT_EQ(Find(scan).R_LB, *scan.profiles[0].rotation_LB);
