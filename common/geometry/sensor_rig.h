@@ -13,6 +13,14 @@ struct LaserMount {
   Eigen::Vector3d normal_T = Eigen::Vector3d::UnitZ();   // unit normal of the fan's plane, frame T
 };
 
+// How a pan-tilt unit is built: pan turns about the z axis of P; the tilt axis, carried by pan, is
+// the y axis of T turned by two small angles and shifted. All 0: the axes are square and meet.
+struct PtuAxes {
+  double tilt_roll_rad = 0.0;                           // of the tilt axis, about x of T
+  double tilt_yaw_rad = 0.0;                            // of the tilt axis, about z of T
+  Eigen::Vector3d p_PTilt_m = Eigen::Vector3d::Zero();  // a point of the tilt axis at pan = 0
+};
+
 // The head of the robot and the camera that watches the floor, as mounted (thesis
 // figures 3.2, 3.10; figures in scripts/config/robot.yaml).
 //
@@ -23,6 +31,7 @@ struct SensorRig {
   PinholeCamera stripe_camera;
   PinholeCamera floor_camera{320, 240, 160.0, 160.0, 159.5, 119.5};
   RigidTransform X_RP = RigidTransform::Identity();
+  PtuAxes ptu_axes;
   RigidTransform X_TC = RigidTransform::Identity();
   RigidTransform X_TB = RigidTransform::Identity();
   RigidTransform X_RF = RigidTransform::Identity();
@@ -31,8 +40,12 @@ struct SensorRig {
 
   // X_RT of the head turned to (pan, tilt).
   RigidTransform HeadPose(double pan_rad, double tilt_rad) const {
-    return X_RP * MakeTransform(RotationAboutZ(pan_rad) * RotationAboutY(-tilt_rad),
-                                Eigen::Vector3d::Zero());
+    const Eigen::Matrix3d lean =
+        RotationAboutZ(ptu_axes.tilt_yaw_rad) * RotationAboutX(ptu_axes.tilt_roll_rad);
+    const Eigen::Matrix3d R_PanT = lean * RotationAboutY(-tilt_rad) * lean.transpose();
+    const Eigen::Matrix3d R_PPan = RotationAboutZ(pan_rad);
+    return X_RP * MakeTransform(R_PPan * R_PanT,
+                                R_PPan * (ptu_axes.p_PTilt_m - R_PanT * ptu_axes.p_PTilt_m));
   }
   RigidTransform ColorCameraPose(double pan_rad, double tilt_rad) const {
     return HeadPose(pan_rad, tilt_rad) * X_TC;

@@ -56,5 +56,31 @@ TEST(PinholeCameraTest, RayAndProjectionAreInverse) {
   EXPECT_FALSE(camera.Contains({640.0, 0.0}));
 }
 
+TEST(PinholeCameraTest, LensDistortionMovesTheCornersAndIsUndone) {
+  PinholeCamera camera;
+  camera.k1_1 = -0.12;
+  camera.k2_1 = 0.3;
+  // The corner's r is 0.2497: 1 - 0.12 r^2 + 0.3 r^4 = 0.99369.
+  const Eigen::Vector3d corner(320.0 / 1600.0, 239.5 / 1600.0, 1.0);
+  const double r2 = corner.head<2>().squaredNorm();
+  const Eigen::Vector2d seen_px = camera.Project(corner);
+  EXPECT_NEAR((seen_px.x() - 319.5) / 320.0, 1.0 - 0.12 * r2 + 0.3 * r2 * r2, 1e-12);
+  EXPECT_LT(seen_px.x(), PinholeCamera{}.Project(corner).x() - 1.0);
+  EXPECT_LT((camera.Ray(seen_px.x(), seen_px.y()) - corner).norm(), 1e-12);
+}
+
+TEST(SensorRigTest, TheHeadTurnsAboutTheTiltAxisThatTheUnitHas) {
+  SensorRig rig;
+  rig.ptu_axes = {0.01, -0.02, Eigen::Vector3d(0.003, 0.0, 0.002)};
+  // A point of the tilt axis stays where it is, whatever the tilt, and turns with pan.
+  const Eigen::Vector3d axis(std::sin(0.02) * std::cos(0.01), std::cos(0.02) * std::cos(0.01),
+                             std::sin(0.01));
+  const Eigen::Vector3d p_T_m = rig.ptu_axes.p_PTilt_m + 0.3 * axis;
+  EXPECT_LT((rig.HeadPose(0.0, 0.7) * p_T_m - p_T_m).norm(), 1e-12);
+  EXPECT_LT((rig.HeadPose(0.5, 0.7) * p_T_m - RotationAboutZ(0.5) * p_T_m).norm(), 1e-12);
+  // At 0, 0 the head is where the drawing has it.
+  EXPECT_TRUE(rig.HeadPose(0.0, 0.0).isApprox(RigidTransform::Identity(), 1e-12));
+}
+
 }  // namespace
 }  // namespace geon::geometry
