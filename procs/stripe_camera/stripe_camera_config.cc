@@ -37,6 +37,18 @@ void ReadCapture(config::YamlSection section, StripeCaptureOptions* capture) {
 
 }  // namespace
 
+void ReadStripeCameraSection(config::YamlSection section, const geometry::SensorRig& rig,
+                             StripeCameraConfig* config) {
+  config->source = color_camera::ReadFrameSource(section, rig.stripe_camera);
+  config->source.format = sensor::PixelFormat::kGray8;
+  config::YamlSection lasers = section.Child("lasers");
+  lasers.Read("port", &config->lasers.path);
+  config->lasers.baud = 115200;
+  lasers.ReadOptional("baud", &config->lasers.baud);
+  ReadSeconds(&lasers, "reply_timeout_s", &config->laser_driver.reply_timeout_s);
+  ReadCapture(section, &config->capture);
+}
+
 Result<StripeCameraConfig> LoadStripeCameraConfig(const config::DaemonArguments& arguments,
                                                   const StripeCameraFlags& flags) {
   Result<config::YamlDocument> document =
@@ -46,16 +58,8 @@ Result<StripeCameraConfig> LoadStripeCameraConfig(const config::DaemonArguments&
 
   StripeCameraConfig config;
   config.bus_url = config::ReadBusUrl(arguments, root.Child("bus"));
-  const geometry::SensorRig rig = config::ReadSensorRig(root.Child("rig"));
-  config::YamlSection section = root.Child("stripe_camera");
-  config.source = color_camera::ReadFrameSource(section, rig.stripe_camera);
-  config.source.format = sensor::PixelFormat::kGray8;
-  config::YamlSection lasers = section.Child("lasers");
-  lasers.Read("port", &config.lasers.path);
-  config.lasers.baud = 115200;
-  lasers.ReadOptional("baud", &config.lasers.baud);
-  ReadSeconds(&lasers, "reply_timeout_s", &config.laser_driver.reply_timeout_s);
-  ReadCapture(section, &config.capture);
+  ReadStripeCameraSection(root.Child("stripe_camera"), config::ReadSensorRig(root.Child("rig")),
+                          &config);
   if (Status status = document->Finish(); !status.ok()) return status;
 
   if (!flags.source.empty()) config.source.source = flags.source;

@@ -7,6 +7,7 @@
 #include "device/frame_source.h"
 #include "device/laser_driver.h"
 #include "device/serial_link.h"
+#include "geometry/sensor_rig.h"
 #include "procs/stripe_camera/stripe_capture.h"
 
 namespace geon::stripe_camera {
@@ -24,6 +25,10 @@ struct StripeCameraFlags {
   std::string source;
   std::string lasers;
 };
+
+// The `stripe_camera:` section of a robot file (scripts/config/robot.yaml explains every key).
+void ReadStripeCameraSection(config::YamlSection section, const geometry::SensorRig& rig,
+                             StripeCameraConfig* config);
 
 // Reads `stripe_camera:`, `bus:` and `rig:` of the robot file.
 Result<StripeCameraConfig> LoadStripeCameraConfig(const config::DaemonArguments& arguments,

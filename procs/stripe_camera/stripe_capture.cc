@@ -159,14 +159,18 @@ void StripeCapture::CheckTimeouts(double time_s) {
   }
 }
 
-void StripeCapture::OnFrame(const sensor::Image& grey, double start_s, double time_s) {
-  Tick(time_s);
-  if (phase_ != Phase::kUnlit && phase_ != Phase::kLit) return;
+bool StripeCapture::WantsFrame(double start_s, double time_s) const {
+  if (phase_ != Phase::kUnlit && phase_ != Phase::kLit) return false;
   const bool repeated = start_s <= last_start_s_;
   const bool early = !IsLaser(wanted_laser()) ||
                      start_s < laser_.confirmed_time_s + options_.settle_s ||
                      start_s < ptu_still_since_s_ + options_.still_s;
-  if (repeated || early || start_s > time_s) return;
+  return !repeated && !early && start_s <= time_s;
+}
+
+void StripeCapture::OnFrame(const sensor::Image& grey, double start_s, double time_s) {
+  Tick(time_s);
+  if (!WantsFrame(start_s, time_s)) return;
   last_start_s_ = start_s;
   UseFrame(grey, start_s, time_s);
 }

@@ -49,6 +49,8 @@ class StripeCapture {
   void OnFrame(const sensor::Image& grey, double start_s, double time_s);
   void Tick(double time_s);
 
+  // Whether a frame whose exposure began at `start_s` would be used, were it here now.
+  bool WantsFrame(double start_s, double time_s) const;
   sensor::Laser wanted_laser() const;
   // Answers to publish, in order; the difference is kGray8, seq and the utime of refusals are not
   // set.

@@ -6,7 +6,6 @@
 #include <functional>
 #include <memory>
 
-#include "base/angles.h"
 #include "messaging/channels.h"
 #include "messaging/clock.h"
 #include "tests/common/device/plug.h"
@@ -17,13 +16,6 @@ namespace {
 
 using sensor::BaseStop;
 using sensor::DeviceStatus;
-
-TEST(BumperBearingsTest, TheBaseDoesNotTurnWithTheSteering) {
-  const auto bearings = BumperBearings(RadiansFromDegrees(9.0), RadiansFromDegrees(90.0));
-  EXPECT_NEAR(bearings[0], RadiansFromDegrees(-81.0), 1e-12);
-  EXPECT_NEAR(bearings[5], RadiansFromDegrees(9.0), 1e-12);
-  EXPECT_NEAR(bearings[15], RadiansFromDegrees(-171.0), 1e-9);
-}
 
 // Node, bus, a planner that answers every state, and a pty with a scripted robot behind it.
 class BaseNodeTest : public testing::Test {

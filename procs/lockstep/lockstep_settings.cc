@@ -1,0 +1,34 @@
+#include "procs/lockstep/lockstep_settings.h"
+
+#include "config/daemon_arguments.h"
+#include "config/rig_config.h"
+#include "procs/planner/planner_config.h"
+
+namespace geon::lockstep {
+
+Result<LockstepSettings> LoadLockstepSettings(const std::filesystem::path& robot_file,
+                                              const std::filesystem::path& sim_file) {
+  Result<config::YamlDocument> document = config::LoadRobotFile(
+      robot_file, {"rig", "ptu", "base", "stripe_camera", "planner", "recognizer"});
+  if (!document.ok()) return document.status();
+  config::YamlSection root = document->root();
+  LockstepSettings settings;
+  settings.rig = config::ReadSensorRig(root.Child("rig"));
+  ptu::ReadPtuSection(root.Child("ptu"), &settings.ptu);
+  base::ReadBaseSection(root.Child("base"), &settings.base);
+  stripe_camera::ReadStripeCameraSection(root.Child("stripe_camera"), settings.rig,
+                                         &settings.stripe_camera);
+  planner::ReadPlannerSection(root.Child("planner"), robot_file, &settings.mission);
+  recognizer::ReadRecognizerSection(root.Child("recognizer"), &settings.recognizer);
+  if (Status status = document->Finish(); !status.ok()) return status;
+  settings.recognizer.rig = settings.rig;
+  settings.recognizer.calibration_dir =
+      robot_file.parent_path() / settings.recognizer.calibration_dir;
+
+  Result<sim::SimOptions> sim = sim::LoadSimOptions(sim_file);
+  if (!sim.ok()) return sim.status();
+  settings.sim = std::move(*sim);
+  return settings;
+}
+
+}  // namespace geon::lockstep

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+
+#include "mission/mission_options.h"
+#include "procs/base/base_config.h"
+#include "procs/ptu/ptu_config.h"
+#include "procs/recognizer/recognizer_config.h"
+#include "procs/stripe_camera/stripe_camera_config.h"
+#include "sim/sim_config.h"
+
+namespace geon::lockstep {
+
+// Everything the daemons of one robot are configured with, and what the simulated robot is like.
+struct LockstepSettings {
+  geometry::SensorRig rig;
+  ptu::PtuConfig ptu;
+  base::BaseConfig base;
+  stripe_camera::StripeCameraConfig stripe_camera;
+  mission::MissionOptions mission;
+  recognizer::RecognizerConfig recognizer;
+  sim::SimOptions sim;
+  // From the end of an exposure until the frame is with its daemon: read-out and transport.
+  double frame_delay_s = 0.03;
+};
+
+// Reads the robot file's sections as the daemons do, and the simulator's file.
+Result<LockstepSettings> LoadLockstepSettings(const std::filesystem::path& robot_file,
+                                              const std::filesystem::path& sim_file);
+
+}  // namespace geon::lockstep
