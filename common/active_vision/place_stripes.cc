@@ -48,46 +48,62 @@ class TargetPlane {
   double offset_m_ = 0.0;
 };
 
-void Place(sensor::Laser laser, double fraction, const std::optional<HeadAngles>& wanted,
-           const HeadAngles& aimed, const HeadLimits& limits, StripePlacement* placement) {
-  const HeadAngles nearest = limits.Clamp(wanted.value_or(aimed));
-  const sensor::PlannedStripe stripe{laser, fraction, nearest.pan_rad, nearest.tilt_rad};
-  const bool reached = wanted && limits.Contain(*wanted);
-  (reached ? placement->stripes : placement->unreachable).push_back(stripe);
+// The B/W camera looks at the target's middle; each stripe then turns one axis away from that, as
+// far as the limits let it.
+HeadAngles Aim(const geometry::SensorRig& rig, const TargetPlane& plane, const HeadAngles& from,
+               const HeadLimits& limits) {
+  const std::optional<Eigen::Vector3d> p_PMiddle_m = plane.Point(0.5, 0.5);
+  return limits.Clamp(p_PMiddle_m ? AimCamera(*p_PMiddle_m, rig.X_TB, from).value_or(from) : from);
+}
+
+std::optional<HeadAngles> TurnToFraction(const geometry::SensorRig& rig, const TargetPlane& plane,
+                                         const HeadAngles& aimed, sensor::Laser laser,
+                                         double fraction) {
+  if (laser == sensor::Laser::kHorizontal) {
+    const auto p_P_m = plane.Point(0.5, fraction);
+    const geometry::LaserMount& mount = rig.horizontal_laser;
+    return p_P_m ? TiltPlaneToPoint(*p_P_m, mount.p_TLaser_m, mount.normal_T, aimed) : std::nullopt;
+  }
+  const auto p_P_m = plane.Point(fraction, 0.5);
+  const geometry::LaserMount& mount = rig.vertical_laser;
+  return p_P_m ? PanPlaneToPoint(*p_P_m, mount.p_TLaser_m, mount.normal_T, aimed) : std::nullopt;
+}
+
+void RequireTarget(const StripeTarget& target) {
+  Require(target.box.w_px > 0 && target.box.h_px > 0, "PlaceStripes: the box is empty");
+  Require(std::isfinite(target.distance_m) && target.distance_m > 0.0,
+          "PlaceStripes: distance_m must be positive");
 }
 
 }  // namespace
 
 StripePlacement PlaceStripes(const geometry::SensorRig& rig, const StripeTarget& target,
                              const HeadLimits& limits, const StripePlacementOptions& options) {
-  Require(target.box.w_px > 0 && target.box.h_px > 0, "PlaceStripes: the box is empty");
-  Require(std::isfinite(target.distance_m) && target.distance_m > 0.0,
-          "PlaceStripes: distance_m must be positive");
-
+  RequireTarget(target);
   const TargetPlane plane(rig, target);
-  const std::optional<Eigen::Vector3d> p_PMiddle_m = plane.Point(0.5, 0.5);
-  // The B/W camera looks at the target's middle; each stripe then turns one axis away from that,
-  // as far as the limits let it.
-  const HeadAngles aimed = limits.Clamp(
-      p_PMiddle_m ? AimCamera(*p_PMiddle_m, rig.X_TB, target.head).value_or(target.head)
-                  : target.head);
-
+  const HeadAngles aimed = Aim(rig, plane, target.head, limits);
   StripePlacement placement;
-  for (const double fraction : options.fractions_1) {
-    const auto p_P_m = plane.Point(0.5, fraction);
-    const geometry::LaserMount& laser = rig.horizontal_laser;
-    const auto head =
-        p_P_m ? TiltPlaneToPoint(*p_P_m, laser.p_TLaser_m, laser.normal_T, aimed) : std::nullopt;
-    Place(sensor::Laser::kHorizontal, fraction, head, aimed, limits, &placement);
-  }
-  for (const double fraction : options.fractions_1) {
-    const auto p_P_m = plane.Point(fraction, 0.5);
-    const geometry::LaserMount& laser = rig.vertical_laser;
-    const auto head =
-        p_P_m ? PanPlaneToPoint(*p_P_m, laser.p_TLaser_m, laser.normal_T, aimed) : std::nullopt;
-    Place(sensor::Laser::kVertical, fraction, head, aimed, limits, &placement);
+  for (const sensor::Laser laser : {sensor::Laser::kHorizontal, sensor::Laser::kVertical}) {
+    for (const double fraction : options.fractions_1) {
+      const auto head = TurnToFraction(rig, plane, aimed, laser, fraction);
+      const HeadAngles nearest = limits.Clamp(head.value_or(aimed));
+      const bool reached = head && limits.Contain(*head);
+      (reached ? placement.stripes : placement.unreachable)
+          .push_back({laser, fraction, nearest.pan_rad, nearest.tilt_rad});
+    }
   }
   return placement;
+}
+
+std::optional<HeadAngles> PlaceStripe(const geometry::SensorRig& rig, const StripeTarget& target,
+                                      const HeadLimits& limits, sensor::Laser laser,
+                                      double fraction) {
+  RequireTarget(target);
+  const TargetPlane plane(rig, target);
+  const auto head =
+      TurnToFraction(rig, plane, Aim(rig, plane, target.head, limits), laser, fraction);
+  if (!head || !limits.Contain(*head)) return std::nullopt;
+  return head;
 }
 
 }  // namespace geon::active_vision

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "active_vision/head_angles.h"
@@ -41,5 +42,11 @@ struct StripePlacement {
 // of its view.
 StripePlacement PlaceStripes(const geometry::SensorRig& rig, const StripeTarget& target,
                              const HeadLimits& limits, const StripePlacementOptions& options = {});
+
+// The head's angles for one of them, as PlaceStripes finds them; nothing when the laser's plane
+// meets no such ray or the head cannot turn there.
+std::optional<HeadAngles> PlaceStripe(const geometry::SensorRig& rig, const StripeTarget& target,
+                                      const HeadLimits& limits, sensor::Laser laser,
+                                      double fraction);
 
 }  // namespace geon::active_vision

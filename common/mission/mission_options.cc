@@ -54,8 +54,8 @@ bool LookingOptions::IsValid(std::string* error) const {
                    [](double height_m) { return height_m >= 0.0 && height_m < 1.1; })) {
     return Fail(error, "support_heights_m must lie between 0 and 1.1, below the head");
   }
-  if (!(stop_distance_m >= 0.7 && stop_distance_m <= 1.5)) {
-    return Fail(error, "stop_distance_m must lie between 0.7 and 1.5");
+  if (!(stop_distance_m >= 0.7 && stop_distance_m <= 2.0)) {
+    return Fail(error, "stop_distance_m must lie between 0.7 and 2.0");
   }
   if (!AllPositive({stop_tolerance_m, min_range_m, max_target_distance_m, sector_rad, settle_s}) ||
       !(max_range_m > min_range_m)) {

@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "active_vision/place_stripes.h"
+#include "active_vision/order_stripes.h"
+#include "active_vision/surface_distance.h"
 #include "mission/scan_geometry.h"
 
 namespace geon::mission {
@@ -34,7 +35,7 @@ Transition ScanPhase::Step(Context* context) {
     if (auto next = Begin(context)) return next;
   }
   context->scan_id = plan_.scan_id;
-  context->stripe_index = static_cast<int32_t>(stripe_);
+  context->stripe_index = StripeIndex();
   SendPlan(context);
   for (const auto& verdict : context->verdicts) {
     if (verdict.scan_id != plan_.scan_id) continue;
@@ -46,13 +47,16 @@ Transition ScanPhase::Step(Context* context) {
       return ScanAgain(context, "the recognizer started anew");
     }
     newest_profile_seq_ = profile.seq;
-    const bool ours = profile.scan_id == plan_.scan_id && stripe_ < plan_.stripes.size() &&
-                      profile.stripe_index == static_cast<int32_t>(stripe_) &&
-                      profile.attempt == attempt_;
+    const bool ours = profile.scan_id == plan_.scan_id && !all_laid() &&
+                      profile.stripe_index == StripeIndex() && profile.attempt == attempt_;
     if (!ours) continue;
     if (auto next = Answered(context, profile)) return next;
   }
-  return stripe_ < plan_.stripes.size() ? LayStripe(context) : AwaitVerdict(context);
+  return all_laid() ? AwaitVerdict(context) : LayStripe(context);
+}
+
+int32_t ScanPhase::StripeIndex() const {
+  return static_cast<int32_t>(all_laid() ? plan_.stripes.size() : order_[turn_]);
 }
 
 Transition ScanPhase::Begin(Context* context) {
@@ -61,9 +65,8 @@ Transition ScanPhase::Begin(Context* context) {
   const auto standing =
       support == nullptr ? std::nullopt : Standing(context->rig, view, support->support_height_m);
   if (!standing) return Next{Phase::kSearch, "the target's place is not known"};
-  const active_vision::StripeTarget target{view.seen.target->box, view.head,
-                                           standing->foot.distance_from_camera_m};
-  auto placement = active_vision::PlaceStripes(context->rig, target, context->senses.head_limits(),
+  target_ = {view.seen.target->box, view.head, standing->foot.distance_from_camera_m};
+  auto placement = active_vision::PlaceStripes(context->rig, target_, context->senses.head_limits(),
                                                context->options.looking.placement);
   if (!placement.complete()) {
     const auto reached = static_cast<int>(placement.stripes.size());
@@ -74,18 +77,19 @@ Transition ScanPhase::Begin(Context* context) {
   }
   plan_ = {};
   plan_.scan_id = context->next_scan_id++;
-  plan_.target_box = target.box;
+  plan_.target_box = target_.box;
   plan_.pan_rad = view.head.pan_rad;
   plan_.tilt_rad = view.head.tilt_rad;
   plan_.support_height_m = support->support_height_m;
-  plan_.distance_m = target.distance_m;
+  plan_.distance_m = target_.distance_m;
   plan_.stripes = std::move(placement.stripes);
-  tilt_step_rad_ = target.box.h_px / context->rig.color_camera.fy_px;
-  pan_step_rad_ = target.box.w_px / context->rig.color_camera.fx_px;
+  tilt_step_rad_ = target_.box.h_px / context->rig.color_camera.fy_px;
+  pan_step_rad_ = target_.box.w_px / context->rig.color_camera.fx_px;
   context->wishes.decision = Decision{view, plan_.scan_id};
 
   begun_ = true;
-  stripe_ = 0;
+  order_ = active_vision::OrderStripes(plan_.stripes, view.head);
+  turn_ = 0;
   attempt_ = 0;
   measured_.clear();
   height_verified_ = false;
@@ -100,11 +104,25 @@ void ScanPhase::SendPlan(Context* context) {
   context->wishes.scan_plan = plan_;
 }
 
+// As planned, or by the surface as the stripes so far have measured it.
+active_vision::HeadAngles ScanPhase::StripeHead(const Context& context) const {
+  const sensor::PlannedStripe& planned = stripe();
+  const auto distance_m = active_vision::SurfaceDistance(
+      context.rig, target_, plan_.support_height_m, measured_, planned.laser, planned.fraction);
+  if (distance_m) {
+    active_vision::StripeTarget surface = target_;
+    surface.distance_m = *distance_m;
+    const auto head = active_vision::PlaceStripe(context.rig, surface, context.senses.head_limits(),
+                                                 planned.laser, planned.fraction);
+    if (head) return *head;
+  }
+  return {planned.pan_rad, planned.tilt_rad};
+}
+
 void ScanPhase::PointAtStripe(Context* context) {
-  const sensor::PlannedStripe& stripe = plan_.stripes[stripe_];
-  active_vision::HeadAngles head{stripe.pan_rad, stripe.tilt_rad};
+  active_vision::HeadAngles head = StripeHead(*context);
   const double shift_1 = ShiftOfAttempt(attempt_);
-  if (stripe.laser == sensor::Laser::kHorizontal) {
+  if (stripe().laser == sensor::Laser::kHorizontal) {
     head.tilt_rad += shift_1 * tilt_step_rad_;
   } else {
     head.pan_rad += shift_1 * pan_step_rad_;
@@ -115,8 +133,8 @@ void ScanPhase::PointAtStripe(Context* context) {
 }
 
 Transition ScanPhase::LayStripe(Context* context) {
-  const auto total = std::to_string(plan_.stripes.size());
-  context->text = "laying stripe " + std::to_string(stripe_ + 1) + " of " + total +
+  const auto total = std::to_string(order_.size());
+  context->text = "laying stripe " + std::to_string(turn_ + 1) + " of " + total +
                   (attempt_ > 0 ? ", attempt " + std::to_string(attempt_ + 1) : "");
   if (context->time_s - stripe_since_s_ > context->options.patience.stripe_s) {
     return NextAttempt(context);
@@ -130,9 +148,9 @@ Transition ScanPhase::LayStripe(Context* context) {
   command_sent_s_ = context->time_s;
   sensor::ScanCommand command;
   command.scan_id = plan_.scan_id;
-  command.stripe_index = static_cast<int32_t>(stripe_);
+  command.stripe_index = StripeIndex();
   command.attempt = attempt_;
-  command.laser = plan_.stripes[stripe_].laser;
+  command.laser = stripe().laser;
   context->wishes.scan_command = command;
   return std::nullopt;
 }
@@ -142,7 +160,7 @@ Transition ScanPhase::Answered(Context* context, const sensor::RangeProfile& pro
   if (profile.status != sensor::ProfileStatus::kOk || profile.on_target == 0) {
     return NextAttempt(context);
   }
-  measured_.insert(stripe_);
+  measured_.push_back(profile);
   NextStripe(context);
   return std::nullopt;
 }
@@ -167,7 +185,7 @@ Transition ScanPhase::NextAttempt(Context* context) {
     return std::nullopt;
   }
   // Nothing at all where the target should be: it may stand elsewhere.
-  if (stripe_ == 0 && !height_verified_ && !height_changed_ &&
+  if (measured_.empty() && !height_verified_ && !height_changed_ &&
       RefuteForAnother(context, plan_.support_height_m)) {
     height_changed_ = true;
     return Begin(context);
@@ -178,7 +196,8 @@ Transition ScanPhase::NextAttempt(Context* context) {
 
 void ScanPhase::NextStripe(Context* context) {
   attempt_ = 0;
-  if (++stripe_ < plan_.stripes.size()) {
+  ++turn_;
+  if (!all_laid()) {
     PointAtStripe(context);
     return;
   }
@@ -202,7 +221,7 @@ Transition ScanPhase::AwaitVerdict(Context* context) {
   command_sent_s_ = context->time_s;
   sensor::ScanCommand end;
   end.scan_id = plan_.scan_id;
-  end.stripe_index = static_cast<int32_t>(stripe_);
+  end.stripe_index = StripeIndex();
   context->wishes.scan_command = end;
   return std::nullopt;
 }

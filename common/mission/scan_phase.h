@@ -1,15 +1,17 @@
 #pragma once
 
-#include <set>
+#include <vector>
 
+#include "active_vision/place_stripes.h"
 #include "mission/phase.h"
 
 namespace geon::mission {
 
-// Lays the six stripes (thesis 4.2.4) one after another: head to its angles, still, stripe asked
-// for until its profile answers. A stripe that is missing is asked for again, a little beside,
-// before the head moves on. Then the head goes back and the verdict is awaited. The robot stands
-// still throughout.
+// Lays the six stripes (thesis 4.2.4) one after another, in the order that turns the head least:
+// head to its angles, still, stripe asked for until its profile answers. Once a stripe has told how
+// far the surface is, the others are placed by that. A stripe that is missing is asked for again, a
+// little beside, before the head moves on. Then the head goes back and the verdict is awaited. The
+// robot stands still throughout.
 //
 // The first profile tells whether the supposed height of the support is right: if the distances do
 // not agree, the other height is taken and the scan starts anew, as it does when the recognizer
@@ -23,6 +25,10 @@ class ScanPhase {
   Transition Begin(Context* context);
   Transition LayStripe(Context* context);
   void PointAtStripe(Context* context);
+  active_vision::HeadAngles StripeHead(const Context& context) const;
+  const sensor::PlannedStripe& stripe() const { return plan_.stripes[order_[turn_]]; }
+  int32_t StripeIndex() const;  // one past the last when all are laid
+  bool all_laid() const { return turn_ >= order_.size(); }
   Transition NextAttempt(Context* context);
   void NextStripe(Context* context);
   Transition Answered(Context* context, const sensor::RangeProfile& profile);
@@ -35,9 +41,11 @@ class ScanPhase {
   sensor::ScanPlan plan_;
   double tilt_step_rad_ = 0.0;  // a re-placed stripe's shift
   double pan_step_rad_ = 0.0;
-  size_t stripe_ = 0;
+  active_vision::StripeTarget target_;
+  std::vector<size_t> order_;  // in which the plan's stripes are laid
+  size_t turn_ = 0;            // of `order_`
   int attempt_ = 0;
-  std::set<size_t> measured_;
+  std::vector<sensor::RangeProfile> measured_;
   bool height_verified_ = false;
   bool height_changed_ = false;
   int32_t newest_profile_seq_ = 0;

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <set>
 
 #include "tests/common/mission/fake_world.h"
 
@@ -12,19 +12,22 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(ScanPhaseTest, LaysThreeHorizontalAndThreeVerticalStripesInOrder) {
+TEST(ScanPhaseTest, LaysEveryStripeOfThePlanOnceHorizontalOnesFirst) {
   FakeWorld world(FastOptions());
   ASSERT_TRUE(world.RunToTheEnd());
   ASSERT_EQ(world.stripe_calls.size(), 6u);
-  for (int k = 0; k < 6; ++k) {
-    const auto& call = world.stripe_calls[static_cast<size_t>(k)];
-    EXPECT_EQ(call.stripe_index, k);
+  std::set<int> laid;
+  for (size_t k = 0; k < 6; ++k) {
+    const auto& call = world.stripe_calls[k];
+    laid.insert(call.stripe_index);
     EXPECT_EQ(call.laser, k < 3 ? sensor::Laser::kHorizontal : sensor::Laser::kVertical);
-    // The head stood where the plan says.
-    const auto& planned = world.plans[0].stripes[static_cast<size_t>(k)];
-    EXPECT_NEAR(world.stripe_heads[static_cast<size_t>(k)].pan_rad, planned.pan_rad, 0.003);
-    EXPECT_NEAR(world.stripe_heads[static_cast<size_t>(k)].tilt_rad, planned.tilt_rad, 0.003);
+    // The head stood where the plan says, or a little beside: by the surface as measured so far.
+    const auto& planned = world.plans[0].stripes[static_cast<size_t>(call.stripe_index)];
+    EXPECT_EQ(call.laser, planned.laser);
+    EXPECT_NEAR(world.stripe_heads[k].pan_rad, planned.pan_rad, 0.02);
+    EXPECT_NEAR(world.stripe_heads[k].tilt_rad, planned.tilt_rad, 0.02);
   }
+  EXPECT_EQ(laid.size(), 6u);
 }
 
 TEST(ScanPhaseTest, AMissingStripeIsAskedForAgainBesideBeforeTheHeadMovesOn) {
@@ -37,7 +40,7 @@ TEST(ScanPhaseTest, AMissingStripeIsAskedForAgainBesideBeforeTheHeadMovesOn) {
   EXPECT_EQ(world.stripe_calls[2].stripe_index, 1);
   EXPECT_EQ(world.stripe_calls[2].attempt, 1);
   EXPECT_NE(world.stripe_heads[1].tilt_rad, world.stripe_heads[2].tilt_rad);
-  EXPECT_EQ(world.stripe_calls[3].stripe_index, 2);
+  EXPECT_NE(world.stripe_calls[3].stripe_index, 1);
 }
 
 TEST(ScanPhaseTest, OneStripeThatNeverComesIsDoneWithout) {

@@ -1,0 +1,70 @@
+#include "procs/lockstep/bench_trial.h"
+
+#include <gtest/gtest.h>
+
+#include "config/daemon_arguments.h"
+
+namespace geon::lockstep {
+namespace {
+
+class BenchTrialTest : public testing::Test {
+ protected:
+  Result<BenchOutcome> RunTrial(const BenchTrial& trial) const {
+    return RunBenchTrial(*settings_, *calibration_, trial);
+  }
+  BenchTrial Cylinder(double range_m) const {
+    BenchTrial trial;
+    trial.shape = geons::GeonShape{GeonLabel::kCylinder, {0.12, 0.12, 0.18}};
+    trial.range_m = range_m;
+    trial.seed = 5;
+    return trial;
+  }
+  const Result<LockstepSettings> settings_ =
+      LoadLockstepSettings(config::InstalledFile("scripts/config/robot.yaml"),
+                           config::InstalledFile("scripts/config/sim.yaml"));
+  const Result<recognizer::StripeCalibration> calibration_ =
+      recognizer::LoadStripeCalibration(settings_->recognizer.calibration_dir, settings_->rig);
+};
+
+TEST_F(BenchTrialTest, ACylinderIsScannedAtTheRangeAskedFor) {
+  const auto outcome = RunTrial(Cylinder(1.3));
+  ASSERT_TRUE(outcome.ok()) << outcome.message();
+  ASSERT_TRUE(outcome->verdict.has_value()) << outcome->end;
+  EXPECT_EQ(outcome->verdict->label, GeonLabel::kCylinder);
+  ASSERT_TRUE(outcome->seen_s && outcome->whole_s);
+  EXPECT_LE(*outcome->seen_s, *outcome->whole_s);
+  EXPECT_LT(*outcome->whole_s, outcome->end_s);
+  // The middle of the front is 6 cm nearer than that of the cylinder.
+  const sensor::ScanSet& scan = outcome->scan;
+  ASSERT_EQ(scan.profiles.size(), 6U);
+  const auto& middle = scan.profiles[1].p_L_m;
+  double nearest_m = 1e9;
+  for (const Eigen::Vector3d& p_m : middle) {
+    nearest_m = std::min(nearest_m, (p_m - scan.camera_position_L_m).norm());
+  }
+  EXPECT_NEAR(nearest_m, 1.3 - 0.06, 0.03);
+  EXPECT_EQ(outcome->misplaced_1.size(), 6U);
+  EXPECT_EQ(outcome->mask.size(), 640U * 480U);
+}
+
+TEST_F(BenchTrialTest, VerticalStripesLandWithinThreePercentOfTheWantedQuarter) {
+  for (const double range_m : {0.8, 1.3, 1.6}) {
+    const auto outcome = RunTrial(Cylinder(range_m));
+    ASSERT_TRUE(outcome.ok()) << outcome.message();
+    ASSERT_EQ(outcome->misplaced_1.size(), 6U) << range_m << " m: " << outcome->end;
+    for (size_t k = 3; k < 6; ++k) {
+      EXPECT_LT(std::abs(outcome->misplaced_1[k]), 0.03) << "at " << range_m << " m";
+    }
+  }
+}
+
+TEST_F(BenchTrialTest, AMeshThatIsNotThereIsAnError) {
+  BenchTrial trial;
+  trial.shape = sim::MeshShape{"/no/such/mesh.obj", 0.2, GeonLabel::kCuboid};
+  const auto outcome = RunTrial(trial);
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_NE(outcome.message().find("/no/such/mesh.obj"), std::string::npos) << outcome.message();
+}
+
+}  // namespace
+}  // namespace geon::lockstep
