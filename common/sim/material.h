@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "sim/checks.h"
+
 namespace geon::sim {
 
 // What a surface does with light.
@@ -12,6 +14,7 @@ struct Material {
   float laser_reflectance_1 = 0.5F;     // at the lasers' 670 nm
   float gloss_1 = 0.04F;                // share of the lamp that is mirrored
   float tile_m = 0.0F;                  // side of drawn floor tiles; 0: plain
+  std::optional<Checks> checks;
 };
 
 // A paint that a camera with the usual gamma shows as `color_rgb` (0 to 255) under full light.

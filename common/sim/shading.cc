@@ -7,6 +7,7 @@
 
 #include "sim/floor_tiles.h"
 #include "sim/lamp_shadow.h"
+#include "sim/pixel_footprint.h"
 #include "sim/surface_row.h"
 
 namespace geon::sim {
@@ -132,8 +133,23 @@ void Mix(const SurfaceRow::Run& run, const Material& material, const Lights& lig
   }
 }
 
-void ShadeRow(const Scene& scene, const SurfaceRow& row, const Lights& lights, const Vector3f& eye,
-              float pixel_rad, RowOfLight* light, Colors colors, float* out) {
+void DrawChecks(const View& view, const SurfaceRow& row, const SurfaceRow::Run& run,
+                const Checks& checks, std::vector<float>* pattern_1) {
+  const Eigen::Matrix3d R_WC = view.X_WC.linear();
+  const Vector3f eye = view.X_WC.translation().cast<float>(), ahead = R_WC.col(2).cast<float>();
+  const std::array<Vector3f, 2> ray_steps = {(R_WC.col(0) / view.camera.fx_px).cast<float>(),
+                                             (R_WC.col(1) / view.camera.fy_px).cast<float>()};
+  for (int u = run.begin; u < run.end; ++u) {
+    const Vector3f p_W_m = row.Point(u);
+    const auto sides = PixelFootprint(p_W_m - eye, row.Normal(u), ahead, ray_steps);
+    (*pattern_1)[static_cast<size_t>(u)] = PaintLeft(checks, p_W_m, sides[0], sides[1]);
+  }
+}
+
+void ShadeRow(const Scene& scene, const View& view, const SurfaceRow& row, const Lights& lights,
+              RowOfLight* light, Colors colors, float* out) {
+  const Vector3f eye = view.X_WC.translation().cast<float>();
+  const auto pixel_rad = static_cast<float>(1.0 / view.camera.fx_px);
   for (const SurfaceRow::Run& run : row.runs) {
     if (run.body < 0) {
       float* pixel = out + static_cast<int>(colors.size()) * run.begin;
@@ -146,6 +162,8 @@ void ShadeRow(const Scene& scene, const SurfaceRow& row, const Lights& lights, c
     ShineOn(row, run, lights, eye, pixel_rad, light);
     if (material.tile_m > 0.0F) {
       DrawTiles(row, run, material.tile_m, light->footprint_m, &light->pattern_1);
+    } else if (material.checks) {
+      DrawChecks(view, row, run, *material.checks, &light->pattern_1);
     } else {
       std::fill(light->pattern_1.begin() + run.begin, light->pattern_1.begin() + run.end, 1.0F);
     }
@@ -185,8 +203,6 @@ void Shade(const Scene& scene, const View& view, LampShadows shadows, Colors col
   const int width = view.camera.width_px, height = view.camera.height_px;
   light->resize(colors.size() * view.facet.size());
   const Lights lights = LightsOf(scene.lighting());
-  const Vector3f eye = view.X_WC.translation().cast<float>();
-  const auto pixel_rad = static_cast<float>(1.0 / view.camera.fx_px);
   LampShadow lamp(scene, lights.lamp_W_m);
   RowOfLight row_of_light(static_cast<size_t>(width));
   std::fill(row_of_light.lamp_visible_1.begin(), row_of_light.lamp_visible_1.end(), 1.0F);
@@ -208,7 +224,7 @@ void Shade(const Scene& scene, const View& view, LampShadows shadows, Colors col
       MeanOfBlocks(lit[k], lit[1 - k], &row_of_light.lamp_visible_1);
     }
     AskSun(scene, rows[k], lights, &row_of_light.sun_visible_1);
-    ShadeRow(scene, rows[k], lights, eye, pixel_rad, &row_of_light, colors,
+    ShadeRow(scene, view, rows[k], lights, &row_of_light, colors,
              light->data() + colors.size() * static_cast<size_t>(v) * static_cast<size_t>(width));
   }
 }

@@ -25,9 +25,17 @@ struct CylinderShape {
   double radius_m = 0.1;
   double height_m = 1.0;
 };
+// A board that stands on its lower edge and faces along the x axis of the object.
+struct ChessboardShape {
+  int columns = 9;  // squares
+  int rows = 7;
+  double square_m = 0.03;
+  double margin_m = 0.03;  // white, all round
+  double pitch_rad = 0.0;  // how far it leans back
+};
 
 struct WorldObject {
-  std::variant<geons::GeonShape, MeshShape, BoxShape, CylinderShape> shape;
+  std::variant<geons::GeonShape, MeshShape, BoxShape, CylinderShape, ChessboardShape> shape;
   double x_m = 0.0;
   double y_m = 0.0;
   std::optional<double>

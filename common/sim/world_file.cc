@@ -1,5 +1,6 @@
 #include "sim/world_file.h"
 
+#include <cmath>
 #include <sstream>
 
 #include "base/angles.h"
@@ -126,6 +127,28 @@ CylinderShape ReadCylinder(YamlSection* section) {
   return cylinder;
 }
 
+ChessboardShape ReadChessboard(YamlSection* section) {
+  ChessboardShape board;
+  YamlSection child = section->Child("chessboard");
+  double squares[2] = {0.0, 0.0};
+  child.ReadNumbers("squares", 2, squares);
+  const auto countable = [](double n) { return n >= 2.0 && n <= 100.0 && n == std::floor(n); };
+  child.Check(countable(squares[0]) && countable(squares[1]), "squares",
+              "must be two whole numbers from 2 to 100");
+  if (countable(squares[0])) board.columns = static_cast<int>(squares[0]);
+  if (countable(squares[1])) board.rows = static_cast<int>(squares[1]);
+  child.Read("square_m", &board.square_m);
+  child.Check(board.square_m >= 0.002 && board.square_m <= 0.5, "square_m",
+              "must be from 0.002 to 0.5 m");
+  board.margin_m = board.square_m;
+  child.ReadOptional("margin_m", &board.margin_m);
+  child.Check(board.margin_m >= 0.0 && board.margin_m <= 1.0, "margin_m", "must be from 0 to 1 m");
+  section->ReadOptionalAngle("pitch_deg", &board.pitch_rad);
+  section->Check(std::abs(board.pitch_rad) <= RadiansFromDegrees(60.0), "pitch_deg",
+                 "must be from -60 to 60 degrees");
+  return board;
+}
+
 // How far the robot's centre must stay from the object's: a geon's or mesh's own size is left out.
 bool RobotOverlaps(const World& world, const WorldObject& object) {
   const Eigen::Vector2d robot_m(world.robot_x_m, world.robot_y_m);
@@ -140,17 +163,20 @@ bool RobotOverlaps(const World& world, const WorldObject& object) {
 void ReadObject(YamlSection section, const std::filesystem::path& folder, World* world) {
   WorldObject object;
   const int kinds = (section.Has("geon") ? 1 : 0) + (section.Has("mesh") ? 1 : 0) +
-                    (section.Has("box") ? 1 : 0) + (section.Has("cylinder") ? 1 : 0);
+                    (section.Has("box") ? 1 : 0) + (section.Has("cylinder") ? 1 : 0) +
+                    (section.Has("chessboard") ? 1 : 0);
   if (kinds != 1) {
-    section.Fail("an object has exactly one of the keys geon, mesh, box, cylinder");
+    section.Fail("an object has exactly one of the keys geon, mesh, box, cylinder, chessboard");
     for (const std::string& key : section.Keys()) section.Ignore(key);
     return;
   }
   if (section.Has("geon") || section.Has("mesh")) object.color_rgb = {150, 40, 40};
+  if (section.Has("chessboard")) object.color_rgb = {235, 235, 235};
   if (section.Has("geon")) object.shape = ReadGeon(&section);
   if (section.Has("mesh")) object.shape = ReadMesh(&section, folder);
   if (section.Has("box")) object.shape = ReadBox(&section);
   if (section.Has("cylinder")) object.shape = ReadCylinder(&section);
+  if (section.Has("chessboard")) object.shape = ReadChessboard(&section);
   section.Read("x_m", &object.x_m);
   section.Read("y_m", &object.y_m);
   section.Check(object.x_m >= 0.0 && object.x_m <= world->pen_size_m.x(), "x_m",

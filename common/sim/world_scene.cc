@@ -76,10 +76,65 @@ void AddWalls(const World& world, std::vector<Body>* bodies) {
   }
 }
 
+Eigen::Vector2d SizeOf(const ChessboardShape& board) {
+  const Eigen::Vector2d squares(board.columns, board.rows);
+  return (squares * board.square_m).array() + 2.0 * board.margin_m;
+}
+
+// X_WO of a chessboard's front: x towards the viewer, y to his right, z up along the board, origin
+// in the middle of the lower edge.
+geometry::RigidTransform FrontOf(const World& world, const WorldObject& object) {
+  geometry::RigidTransform X_WO = geometry::PlanarPose(object.x_m, object.y_m, object.yaw_rad);
+  X_WO.translation().z() = FootHeight(world, object);
+  return X_WO * geometry::MakeTransform(
+                    geometry::RotationAboutY(-std::get<ChessboardShape>(object.shape).pitch_rad),
+                    {0, 0, 0});
+}
+
+// The printed sheet; its plate, which is an object like others, lies behind it.
+Body ChessboardSheet(const World& world, const WorldObject& object) {
+  const auto& board = std::get<ChessboardShape>(object.shape);
+  const geometry::RigidTransform X_WO = FrontOf(world, object);
+  const Eigen::Vector2d size_m = SizeOf(board);
+  Body sheet;
+  sheet.name = "chessboard";
+  sheet.obstacle = false;
+  for (const auto& [y_1, z_1] : {std::pair{-0.5, 0.0}, {0.5, 0.0}, {0.5, 1.0}, {-0.5, 1.0}}) {
+    sheet.surface_W.vertices_m.push_back(X_WO *
+                                         Eigen::Vector3d(0, y_1 * size_m.x(), z_1 * size_m.y()));
+    sheet.surface_W.normals.push_back(X_WO.linear().col(0));
+  }
+  sheet.surface_W.triangles = {{0, 1, 2}, {0, 2, 3}};
+  sheet.material = Paint(object.color_rgb, object.reflectance_1);
+  sheet.material.gloss_1 = 0.0F;  // printed matt, as for any calibration
+  Checks checks;
+  checks.corner_W_m = X_WO * Eigen::Vector3d(0, board.margin_m - 0.5 * size_m.x(), board.margin_m);
+  checks.along_W = X_WO.linear().col(1);
+  checks.up_W = X_WO.linear().col(2);
+  checks.columns = board.columns;
+  checks.rows = board.rows;
+  checks.square_m = board.square_m;
+  sheet.material.checks = checks;
+  return sheet;
+}
+
+TriangleMesh ChessboardPlate(const ChessboardShape& board) {
+  constexpr double kThickness_m = 0.008, kBehindSheet_m = 0.0005;
+  const Eigen::Vector2d size_m = SizeOf(board);
+  TriangleMesh plate = BoxMesh({kThickness_m, size_m.x(), size_m.y()});
+  geons::Transform(geometry::MakeTransform(Eigen::Matrix3d::Identity(),
+                                           {-0.5 * kThickness_m - kBehindSheet_m, 0, 0}),
+                   &plate);
+  return plate;
+}
+
 Result<TriangleMesh> UprightMesh(const WorldObject& object) {
   if (const auto* shape = std::get_if<geons::GeonShape>(&object.shape))
     return geons::GeonMesh(*shape);
   if (const auto* box = std::get_if<BoxShape>(&object.shape)) return BoxMesh(box->size_m);
+  if (const auto* board = std::get_if<ChessboardShape>(&object.shape)) {
+    return ChessboardPlate(*board);
+  }
   if (const auto* cylinder = std::get_if<CylinderShape>(&object.shape)) {
     geons::GeonShape shape;
     shape.label = GeonLabel::kCylinder;
@@ -133,6 +188,7 @@ Result<TriangleMesh> ObjectMesh(const World& world, const WorldObject& object) {
   if (!mesh.ok()) return mesh;
   geometry::RigidTransform X_WO = geometry::PlanarPose(object.x_m, object.y_m, object.yaw_rad);
   X_WO.translation().z() = FootHeight(world, object);
+  if (std::holds_alternative<ChessboardShape>(object.shape)) X_WO = FrontOf(world, object);
   geons::Transform(X_WO, &*mesh);
   return mesh;
 }
@@ -149,6 +205,9 @@ Result<std::shared_ptr<const Scene>> BuildScene(const World& world) {
     body.surface_W = std::move(*mesh);
     body.material = Paint(object.color_rgb, object.reflectance_1);
     bodies.push_back(std::move(body));
+    if (std::holds_alternative<ChessboardShape>(object.shape)) {
+      bodies.push_back(ChessboardSheet(world, object));
+    }
   }
   return std::shared_ptr<const Scene>(std::make_shared<Scene>(std::move(bodies), world.lighting));
 }

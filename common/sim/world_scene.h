@@ -16,7 +16,7 @@ Result<std::shared_ptr<const Scene>> BuildScene(const World& world);
 // the faces (creases above 35 degrees stay sharp).
 Result<geons::TriangleMesh> LoadObj(const std::filesystem::path& file);
 
-// An object of the world as a mesh in W.
+// An object of the world as a mesh in W; of a chessboard, the plate that carries the squares.
 Result<geons::TriangleMesh> ObjectMesh(const World& world, const WorldObject& object);
 
 }  // namespace geon::sim

@@ -42,6 +42,12 @@ struct ShapeText {
     return "cylinder: {radius_m: " + Metres(cylinder.radius_m) +
            ", height_m: " + Metres(cylinder.height_m) + "}";
   }
+  std::string operator()(const ChessboardShape& board) const {
+    constexpr double kSquareStep_m = 1e-5;
+    return "chessboard: {squares: [" + std::to_string(board.columns) + ", " +
+           std::to_string(board.rows) + "], square_m: " + Number(board.square_m, kSquareStep_m) +
+           ", margin_m: " + Metres(board.margin_m) + "}, pitch_deg: " + Degrees(board.pitch_rad);
+  }
 };
 
 }  // namespace

@@ -77,6 +77,11 @@ TEST(WorldFileTest, RefusesWithFileLineAndReason) {
   EXPECT_THAT(
       Refusal(WithObject("geon: cuboid, size_m: [0.2, 0.2, 0.2], taper: 0.3, x_m: 1, y_m: 2")),
       HasSubstr("no taper"));
+  EXPECT_THAT(
+      Refusal(WithObject("chessboard: {squares: [9, 6.5], square_m: 0.03}, x_m: 1, y_m: 2")),
+      HasSubstr("two whole numbers"));
+  EXPECT_THAT(Refusal(WithObject("box: [0.5, 0.5, 0.7], pitch_deg: 5, x_m: 1, y_m: 2")),
+              HasSubstr("pitch_deg"));
   EXPECT_THAT(Refusal(WithObject("box: [0.5, 0.5, 0.7], x_m: 1, y_m: 5")),
               HasSubstr("inside the pen"));
   EXPECT_THAT(Refusal(WithObject("box: [0.5, 0.5, 0.7], x_m: 0.6, y_m: 0.6")),

@@ -17,6 +17,13 @@ TEST(WorldTextTest, WhatIsWrittenReadsBackTheSame) {
                            0.5,
                            {150, 40, 40},
                            {}});
+  world.objects.push_back({ChessboardShape{9, 6, 0.0255, 0.02, RadiansFromDegrees(12.5)},
+                           0.5,
+                           1.5,
+                           0.6,
+                           0.5,
+                           {235, 235, 235},
+                           {}});
   const std::string text = WorldText(world);
   const Result<World> read = ParseWorld(text, "w.yaml", "");
   ASSERT_TRUE(read.ok()) << read.message() << "\n" << text;
