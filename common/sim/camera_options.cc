@@ -47,9 +47,15 @@ Status Validate(const RendererOptions& options) {
   }
   if (!(lasers.speckle_1 >= 0.0)) return Status::Error("lasers: speckle_1 must not be negative");
   const MountingErrorOptions& mounting = options.mounting;
-  if (!(mounting.focal_1 >= 0.0 && mounting.camera_rad >= 0.0 && mounting.laser_rad >= 0.0)) {
-    return Status::Error("mounting: standard deviations must not be negative");
+  for (const double sigma :
+       {mounting.focal_1, mounting.aspect_1, mounting.principal_px, mounting.lens_px,
+        mounting.camera_m, mounting.camera_rad, mounting.laser_m, mounting.laser_rad,
+        mounting.laser_bow_1, mounting.axes_m, mounting.axes_rad, mounting.zero_rad}) {
+    if (!(sigma >= 0.0)) {
+      return Status::Error("mounting: standard deviations must not be negative");
+    }
   }
+  if (!(mounting.lens_px <= 10.0)) return Status::Error("mounting: lens_px must be at most 10");
   return Status::Ok();
 }
 

@@ -35,12 +35,26 @@ struct LaserOptions {
 
 // How far the simulated robot is from its drawing: standard deviations, drawn once an individual.
 struct MountingErrorOptions {
-  double focal_1 = 0.003;
+  double focal_1 = 0.003;     // of focal lengths, against the drawing's
+  double aspect_1 = 0.001;    // of how far a pixel is from square
+  double principal_px = 4.0;  // of the principal point, and of the lens's middle against that
+  double lens_px = 2.0;       // barrel distortion at the picture's corner: a mean, not a deviation
+  double camera_m = 0.0015;
   double camera_rad = RadiansFromDegrees(0.1);
+  double laser_m = 0.0015;
   double laser_rad = RadiansFromDegrees(0.3);
+  double laser_bow_1 = 0.0002;  // of a line at the edge of its fan, as a share of the distance
+  double axes_m = 0.0015;       // how far the tilt axis passes by the pan axis
+  double axes_rad = RadiansFromDegrees(0.1);  // how far it is from square to it
+  double zero_rad = RadiansFromDegrees(0.2);  // the pan-tilt unit's true angles where it counts 0
   // Which robot of the series: its errors stay its own, so that one calibration serves every run.
   int individual = 1;
 };
+
+// A robot that is just as its drawing.
+inline MountingErrorOptions NoMountingErrors() {
+  return {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1};
+}
 
 struct RendererOptions {
   CameraOptions color;

@@ -1,5 +1,6 @@
 #include "sim/rig_renderer.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -7,7 +8,7 @@
 #include "base/contracts.h"
 #include "sim/hash_noise.h"
 #include "sim/laser_light.h"
-#include "sim/mounting.h"
+#include "sim/lens_map.h"
 #include "sim/shading.h"
 #include "sim/view.h"
 
@@ -32,34 +33,101 @@ uint64_t SpeckleSeed(uint64_t seed, const geometry::RigidTransform& X_WC, int la
   return mix;
 }
 
-LaserFan FanInWorld(const geometry::LaserMount& mount, const geometry::RigidTransform& X_WT,
-                    bool along_u) {
+LaserFan FanInWorld(const BuiltLaser& laser, const geometry::RigidTransform& X_WT, bool along_u) {
   LaserFan fan;
-  fan.origin_W_m = X_WT * mount.p_TLaser_m;
-  fan.normal_W = X_WT.linear() * mount.normal_T;
-  const Eigen::Vector3d ahead_W = X_WT.linear().col(0);
-  fan.forward_W = (ahead_W - ahead_W.dot(fan.normal_W) * fan.normal_W).normalized();
+  fan.origin_W_m = X_WT * laser.p_TLaser_m;
+  fan.normal_W = X_WT.linear() * laser.normal_T;
+  fan.forward_W = X_WT.linear() * laser.forward_T;
+  fan.bow_1 = laser.bow_1;
   fan.stripe_runs_along_u = along_u;
   return fan;
+}
+
+// Adds the laser's light, spread by the lens as BlurByLens spreads a picture's.
+void Spread(const std::vector<LitPixel>& lit, int width_px, int height_px, double blur_1,
+            float share_1, std::vector<float>* signal) {
+  const auto blur = static_cast<float>(blur_1);
+  const float weights[3] = {blur, 1.0F - 2.0F * blur, blur};
+  for (const LitPixel& pixel : lit) {
+    for (int dv = -1; dv <= 1; ++dv) {
+      const int v = std::clamp(pixel.v_px + dv, 0, height_px - 1);
+      float* row = signal->data() + static_cast<size_t>(v) * static_cast<size_t>(width_px);
+      const float level = share_1 * pixel.level_1 * weights[dv + 1];
+      for (int du = -1; du <= 1; ++du) {
+        row[std::clamp(pixel.u_px + du, 0, width_px - 1)] += level * weights[du + 1];
+      }
+    }
+  }
+}
+
+bool SamePoses(const std::vector<geometry::RigidTransform>& a,
+               const std::vector<geometry::RigidTransform>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return x.matrix() == y.matrix(); });
 }
 
 }  // namespace
 
 struct RigRenderer::Sight {
-  View view;
-  std::vector<float> signal;                        // the room's light, blurred by the lens
-  std::array<std::vector<float>, 2> laser_signals;  // of each laser, computed when first burning
+  // The mean of the room's light along the camera's way, through the lens; anew only when that way,
+  // or the size of the ideal camera's pixels, is another. `shade` fills the light of a view.
+  template <typename Shade>
+  const std::vector<float>& RoomLight(const Scene& scene, const BuiltCamera& camera,
+                                      std::vector<geometry::RigidTransform> way_X_WC, int shrink,
+                                      int channels, double blur_1, Shade shade) {
+    if (shrink == room_shrink && SamePoses(way_X_WC, room_X_WC)) return room;
+    std::optional<LensMap>& map = maps[static_cast<size_t>(shrink - 1)];
+    if (!map) map.emplace(camera, shrink);
+    sum.clear();
+    for (const geometry::RigidTransform& X_WC : way_X_WC) {
+      LookThrough(scene, map->wide(), X_WC, &view);
+      shade(view, &light);
+      if (sum.empty()) {
+        std::swap(sum, light);
+      } else {
+        for (size_t k = 0; k < sum.size(); ++k) sum[k] += light[k];
+      }
+    }
+    if (way_X_WC.size() > 1) {
+      const float share_1 = 1.0F / static_cast<float>(way_X_WC.size());
+      for (float& value : sum) value *= share_1;
+    }
+    map->Apply(channels, sum, &between, &room);
+    BlurByLens(camera.ideal.width_px, camera.ideal.height_px, channels, blur_1, &room);
+    room_X_WC = std::move(way_X_WC);
+    room_shrink = shrink;
+    return room;
+  }
+  void Forget() {
+    room_X_WC.clear();
+    for (KeptLaser& kept : lasers) kept.X_WT.clear();
+  }
+
+  std::array<std::optional<LensMap>, 2> maps;  // with ideal pixels as large, and twice as large
+  std::vector<geometry::RigidTransform> room_X_WC;
+  int room_shrink = 0;
+  std::vector<float> room;
+  struct KeptLaser {
+    std::vector<geometry::RigidTransform> X_WT;
+    std::vector<LitPixel> lit;
+  };
+  std::array<KeptLaser, 2> lasers;
+  View view;                               // memory that is used again,
+  std::vector<float> light, sum, between;  // as is this
 };
 
 RigRenderer::RigRenderer(std::shared_ptr<const Scene> scene, const geometry::SensorRig& designed,
                          const RendererOptions& options, uint64_t seed)
     : scene_(std::move(scene)),
-      mounted_rig_(AsMounted(designed, options.mounting)),
+      built_rig_(AsBuilt(designed, options.mounting)),
       options_(options),
       seed_(seed),
       color_sensor_(options.color),
       stripe_sensor_(options.stripe),
-      floor_sensor_(options.floor) {
+      floor_sensor_(options.floor),
+      color_(std::make_unique<Sight>()),
+      bw_(std::make_unique<Sight>()),
+      floor_(std::make_unique<Sight>()) {
   Require(scene_ != nullptr, "RigRenderer: no scene");
   const Status valid = Validate(options_);
   Require(valid.ok(), "RigRenderer: " + valid.message());
@@ -71,78 +139,98 @@ RigRenderer& RigRenderer::operator=(RigRenderer&&) noexcept = default;
 void RigRenderer::SetScene(std::shared_ptr<const Scene> scene) {
   Require(scene != nullptr, "RigRenderer: no scene");
   scene_ = std::move(scene);
-  color_.reset();
-  bw_.reset();
-  floor_.reset();
+  for (Sight* sight : {color_.get(), bw_.get(), floor_.get()}) sight->Forget();
 }
 
 geometry::RigidTransform RigRenderer::StripeCameraPose(const RigPose& pose) const {
-  return pose.X_WR * mounted_rig_.StripeCameraPose(pose.pan_rad, pose.tilt_rad);
+  return pose.X_WR * built_rig_.StripeCameraPose(pose.pan_rad, pose.tilt_rad);
 }
 
-RigRenderer::Sight& RigRenderer::SightFrom(std::unique_ptr<Sight>* kept,
-                                           const geometry::PinholeCamera& camera,
-                                           const geometry::RigidTransform& X_WC) {
-  if (*kept == nullptr) *kept = std::make_unique<Sight>();
-  Sight& sight = **kept;
-  if (sight.view.facet.empty() || sight.view.X_WC.matrix() != X_WC.matrix()) {
-    LookThrough(*scene_, camera, X_WC, &sight.view);
-    sight.signal.clear();
-    for (std::vector<float>& laser : sight.laser_signals) laser.clear();
-  }
-  return sight;
+Frame RigRenderer::ColorFrame(const BuiltCamera& camera, const CameraOptions& options,
+                              const ImageSensor& sensor, std::vector<geometry::RigidTransform> X_WC,
+                              double exposure_1, uint64_t noise_seed, Sight* sight) const {
+  constexpr int kChannels = 3, kFullSize = 1;
+  const std::vector<float>& light =
+      sight->RoomLight(*scene_, camera, std::move(X_WC), kFullSize, kChannels, options.blur_1,
+                       [this](const View& view, std::vector<float>* out) {
+                         ShadeColor(*scene_, view, LampShadows::kSoft, out);
+                       });
+  const auto white_1 = static_cast<float>(options.white_1 * exposure_1);
+  std::vector<float> signal(light.size());
+  for (size_t k = 0; k < light.size(); ++k) signal[k] = white_1 * light[k];
+  return {camera.ideal.width_px, camera.ideal.height_px, kChannels,
+          sensor.Expose(signal, noise_seed)};
 }
 
-Frame RigRenderer::HeadColor(const RigPose& pose, int64_t seq) {
-  const geometry::PinholeCamera& camera = mounted_rig_.color_camera;
-  const auto X_WC = pose.X_WR * mounted_rig_.ColorCameraPose(pose.pan_rad, pose.tilt_rad);
-  Sight& sight = SightFrom(&color_, camera, X_WC);
-  if (sight.signal.empty()) {
-    ShadeColor(*scene_, sight.view, LampShadows::kSoft, &sight.signal);
-    for (float& value : sight.signal) value *= static_cast<float>(options_.color.white_1);
-    BlurByLens(camera.width_px, camera.height_px, 3, options_.color.blur_1, &sight.signal);
+Frame RigRenderer::HeadColor(const RigPath& path, int64_t seq, double exposure_1) {
+  std::vector<geometry::RigidTransform> X_WC;
+  for (const RigPose& pose : path.poses) {
+    X_WC.push_back(pose.X_WR * built_rig_.ColorCameraPose(pose.pan_rad, pose.tilt_rad));
   }
-  return {camera.width_px, camera.height_px, 3,
-          color_sensor_.Expose(sight.signal, FrameSeed(seed_, CameraNumber::kColor, seq))};
+  return ColorFrame(built_rig_.color_camera, options_.color, color_sensor_, std::move(X_WC),
+                    exposure_1, FrameSeed(seed_, CameraNumber::kColor, seq), color_.get());
 }
 
-Frame RigRenderer::FloorColor(const RigPose& pose, int64_t seq) {
-  const geometry::PinholeCamera& camera = mounted_rig_.floor_camera;
-  Sight& sight = SightFrom(&floor_, camera, pose.X_WR * mounted_rig_.X_RF);
-  if (sight.signal.empty()) {
-    ShadeColor(*scene_, sight.view, LampShadows::kSoft, &sight.signal);
-    for (float& value : sight.signal) value *= static_cast<float>(options_.floor.white_1);
-    BlurByLens(camera.width_px, camera.height_px, 3, options_.floor.blur_1, &sight.signal);
-  }
-  return {camera.width_px, camera.height_px, 3,
-          floor_sensor_.Expose(sight.signal, FrameSeed(seed_, CameraNumber::kFloor, seq))};
+Frame RigRenderer::FloorColor(const RigPath& path, int64_t seq, double exposure_1) {
+  std::vector<geometry::RigidTransform> X_WC;
+  for (const RigPose& pose : path.poses) X_WC.push_back(pose.X_WR * built_rig_.X_RF);
+  return ColorFrame(built_rig_.floor_camera, options_.floor, floor_sensor_, std::move(X_WC),
+                    exposure_1, FrameSeed(seed_, CameraNumber::kFloor, seq), floor_.get());
 }
 
-Frame RigRenderer::HeadBw(const RigPose& pose, const LaserFractions& lasers, int64_t seq) {
-  const geometry::PinholeCamera& camera = mounted_rig_.stripe_camera;
-  const auto X_WT = pose.X_WR * mounted_rig_.HeadPose(pose.pan_rad, pose.tilt_rad);
-  Sight& sight = SightFrom(&bw_, camera, X_WT * mounted_rig_.X_TB);
-  if (sight.signal.empty()) {
-    // Behind the filter a shadow of the lamp would be a grey level or two: not worth its rays.
-    ShadeRed(*scene_, sight.view, &sight.signal);  // 670 nm
-    for (float& value : sight.signal) value *= static_cast<float>(options_.stripe.white_1);
-    BlurByLens(camera.width_px, camera.height_px, 1, options_.stripe.blur_1, &sight.signal);
+void RigRenderer::AddLaser(size_t laser, const RigPath& path, float share_1, Sight* sight,
+                           std::vector<float>* signal) const {
+  std::vector<geometry::RigidTransform> X_WT;
+  for (const RigPose& pose : path.poses) {
+    X_WT.push_back(pose.X_WR * built_rig_.HeadPose(pose.pan_rad, pose.tilt_rad));
   }
-  std::vector<float> signal = sight.signal;
-  const double fractions_1[2] = {lasers.horizontal_1, lasers.vertical_1};
-  for (size_t k = 0; k < 2; ++k) {
-    if (fractions_1[k] <= 0.0) continue;
-    std::vector<float>& laser = sight.laser_signals[k];
-    if (laser.empty()) {
-      const auto& mount = k == 0 ? mounted_rig_.horizontal_laser : mounted_rig_.vertical_laser;
-      laser = LaserLight(*scene_, sight.view, FanInWorld(mount, X_WT, k == 0), options_.lasers,
-                         SpeckleSeed(seed_, sight.view.X_WC, static_cast<int>(k)));
-      BlurByLens(camera.width_px, camera.height_px, 1, options_.stripe.blur_1, &laser);
+  const BuiltCamera& camera = built_rig_.stripe_camera;
+  Sight::KeptLaser& kept = sight->lasers[laser];
+  if (!SamePoses(X_WT, kept.X_WT)) {
+    kept.lit.clear();
+    const bool horizontal = laser == 0;
+    const BuiltLaser& built = horizontal ? built_rig_.horizontal_laser : built_rig_.vertical_laser;
+    for (const geometry::RigidTransform& X_WT_now : X_WT) {
+      const geometry::RigidTransform X_WC = X_WT_now * built_rig_.X_TB;
+      const std::vector<LitPixel> lit =
+          LaserLight(*scene_, camera, X_WC, FanInWorld(built, X_WT_now, horizontal),
+                     options_.lasers, SpeckleSeed(seed_, X_WC, static_cast<int>(laser)));
+      kept.lit.insert(kept.lit.end(), lit.begin(), lit.end());
     }
-    const auto fraction = static_cast<float>(fractions_1[k]);
-    for (size_t i = 0; i < signal.size(); ++i) signal[i] += fraction * laser[i];
+    kept.X_WT = std::move(X_WT);
   }
-  return {camera.width_px, camera.height_px, 1,
+  Spread(kept.lit, camera.ideal.width_px, camera.ideal.height_px, options_.stripe.blur_1,
+         share_1 / static_cast<float>(path.poses.size()), signal);
+}
+
+Frame RigRenderer::HeadBw(const RigPath& path, const LaserFractions& lasers, int64_t seq,
+                          double exposure_1) {
+  // Behind the filter the room is a few grey levels: neither its finest detail nor its smear nor
+  // the lamp's shadows are worth their rays. Unless the exposure is long.
+  constexpr double kFaint_1 = 0.06;
+  const BuiltCamera& camera = built_rig_.stripe_camera;
+  const Lighting& lighting = scene_->lighting();
+  const double white_1 = options_.stripe.white_1 * exposure_1;
+  const bool faint = white_1 * (lighting.level_1 + lighting.sun.level_1) <= kFaint_1;
+  std::vector<geometry::RigidTransform> X_WC;
+  if (faint) {
+    X_WC.push_back(StripeCameraPose(path.middle()));
+  } else {
+    for (const RigPose& pose : path.poses) X_WC.push_back(StripeCameraPose(pose));
+  }
+  const std::vector<float>& room =
+      bw_->RoomLight(*scene_, camera, std::move(X_WC), faint ? 2 : 1, 1, options_.stripe.blur_1,
+                     [this](const View& view, std::vector<float>* out) {
+                       ShadeRed(*scene_, view, out);  // 670 nm
+                     });
+  std::vector<float> signal(room.size());
+  for (size_t k = 0; k < room.size(); ++k) signal[k] = static_cast<float>(white_1) * room[k];
+  const double fractions_1[2] = {lasers.horizontal_1, lasers.vertical_1};
+  for (size_t laser = 0; laser < 2; ++laser) {
+    if (fractions_1[laser] <= 0.0) continue;
+    AddLaser(laser, path, static_cast<float>(fractions_1[laser] * exposure_1), bw_.get(), &signal);
+  }
+  return {camera.ideal.width_px, camera.ideal.height_px, 1,
           stripe_sensor_.Expose(signal, FrameSeed(seed_, CameraNumber::kBw, seq))};
 }
 

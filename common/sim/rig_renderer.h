@@ -8,15 +8,24 @@
 #include "geometry/sensor_rig.h"
 #include "sim/camera_options.h"
 #include "sim/image_sensor.h"
+#include "sim/mounting.h"
 #include "sim/scene.h"
 
 namespace geon::sim {
 
-// Where the head is during an exposure: the turret in W, and the pan-tilt unit's true angles.
+// Where the head is: the turret in W, and the angles that the pan-tilt unit truly counts.
 struct RigPose {
   geometry::RigidTransform X_WR = geometry::RigidTransform::Identity();
   double pan_rad = 0.0;
   double tilt_rad = 0.0;
+};
+
+// Where the head was during an exposure, at equal intervals: one pose if it stood still.
+struct RigPath {
+  RigPath() = default;
+  RigPath(const RigPose& pose) : poses{pose} {}  // NOLINT: a pose is a path
+  const RigPose& middle() const { return poses[poses.size() / 2]; }
+  std::vector<RigPose> poses = {RigPose()};
 };
 
 // Share of the exposure during which each laser burned.
@@ -34,10 +43,11 @@ struct Frame {
 };
 
 // What the three cameras of one individual robot (options.mounting) see. All noise follows from the
-// seed: the same seed, pose and `seq` give the same bytes.
+// seed: the same seed, path, exposure and `seq` give the same bytes. `exposure_1` is the exposure
+// time in units of the camera's exposure_us.
 //
-// Light without noise is kept as long as the pose stays the same, so a head that stands still is
-// cheap.
+// Light without noise is kept as long as the head stands still, so that its frames are cheap. While
+// it moves, a frame costs as much as its path has poses.
 class RigRenderer {
  public:
   RigRenderer(std::shared_ptr<const Scene> scene, const geometry::SensorRig& designed,
@@ -48,22 +58,27 @@ class RigRenderer {
 
   void SetScene(std::shared_ptr<const Scene> scene);
 
-  Frame HeadColor(const RigPose& pose, int64_t seq);                             // BGR
-  Frame HeadBw(const RigPose& pose, const LaserFractions& lasers, int64_t seq);  // grey
-  Frame FloorColor(const RigPose& pose, int64_t seq);                            // BGR
+  Frame HeadColor(const RigPath& path, int64_t seq, double exposure_1 = 1.0);  // BGR
+  Frame HeadBw(const RigPath& path, const LaserFractions& lasers, int64_t seq,
+               double exposure_1 = 1.0);                                        // grey
+  Frame FloorColor(const RigPath& path, int64_t seq, double exposure_1 = 1.0);  // BGR
 
-  // The rig as it really is, mounting errors included. No host-side program may see it.
-  const geometry::SensorRig& mounted_rig() const { return mounted_rig_; }
+  // The rig as it really is. No host-side program may see it.
+  const BuiltRig& built_rig() const { return built_rig_; }
   // X_WB of the B/W camera as it really is.
   geometry::RigidTransform StripeCameraPose(const RigPose& pose) const;
 
  private:
-  struct Sight;  // one camera's view from one pose, and the light it sees there
-  Sight& SightFrom(std::unique_ptr<Sight>* kept, const geometry::PinholeCamera& camera,
-                   const geometry::RigidTransform& X_WC);
+  struct Sight;  // what one camera sees, kept for its next frame
+  // The room's light in a colour camera's picture, `seen` along the way of the camera.
+  Frame ColorFrame(const BuiltCamera& camera, const CameraOptions& options,
+                   const ImageSensor& sensor, std::vector<geometry::RigidTransform> X_WC,
+                   double exposure_1, uint64_t noise_seed, Sight* sight) const;
+  void AddLaser(size_t laser, const RigPath& path, float share_1, Sight* sight,
+                std::vector<float>* signal) const;
 
   std::shared_ptr<const Scene> scene_;
-  geometry::SensorRig mounted_rig_;
+  BuiltRig built_rig_;
   RendererOptions options_;
   uint64_t seed_;
   ImageSensor color_sensor_, stripe_sensor_, floor_sensor_;

@@ -35,8 +35,17 @@ void ReadMounting(YamlSection* root, MountingErrorOptions* mounting) {
   if (!root->Has("mounting")) return;
   YamlSection section = root->Child("mounting");
   section.ReadOptional("focal_1", &mounting->focal_1);
+  section.ReadOptional("aspect_1", &mounting->aspect_1);
+  section.ReadOptional("principal_px", &mounting->principal_px);
+  section.ReadOptional("lens_px", &mounting->lens_px);
+  section.ReadOptional("camera_m", &mounting->camera_m);
   section.ReadOptionalAngle("camera_deg", &mounting->camera_rad);
+  section.ReadOptional("laser_m", &mounting->laser_m);
   section.ReadOptionalAngle("laser_deg", &mounting->laser_rad);
+  section.ReadOptional("laser_bow_1", &mounting->laser_bow_1);
+  section.ReadOptional("axes_m", &mounting->axes_m);
+  section.ReadOptionalAngle("axes_deg", &mounting->axes_rad);
+  section.ReadOptionalAngle("zero_deg", &mounting->zero_rad);
   section.ReadOptional("individual", &mounting->individual);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "base/contracts.h"
@@ -30,16 +31,40 @@ int64_t Steps(double duration_s, double step_s) {
   return std::max<int64_t>(1, std::llround(duration_s / step_s));
 }
 
+// How far a picture moves between two poses, roughly: what is 1 m away.
+double Shift(const RigPose& from, const RigPose& to, double focal_px) {
+  const geometry::RigidTransform turned = from.X_WR.inverse() * to.X_WR;
+  return focal_px * (std::abs(to.pan_rad - from.pan_rad) + std::abs(to.tilt_rad - from.tilt_rad) +
+                     Eigen::AngleAxisd(turned.linear()).angle() + turned.translation().norm());
+}
+
+// So many poses of an exposure that the picture moves little from one to the next; the same
+// instants for any motion, and the middle one if there was none.
+RigPath PathOf(const std::vector<RigPose>& poses, double focal_px, int most_poses) {
+  constexpr double kBetweenPoses_px = 1.5;
+  double shift_px = 0.0;
+  for (size_t k = 1; k < poses.size(); ++k) shift_px += Shift(poses[k - 1], poses[k], focal_px);
+  const auto wanted = static_cast<size_t>(
+      std::clamp(std::ceil(shift_px / kBetweenPoses_px), 1.0, static_cast<double>(most_poses)));
+  const size_t count = std::min(wanted, poses.size());
+  RigPath path;
+  path.poses.clear();
+  for (size_t k = 0; k < count; ++k) {
+    path.poses.push_back(poses[(2 * k + 1) * poses.size() / (2 * count)]);
+  }
+  return path;
+}
+
 }  // namespace
 
 Frame Develop(const Exposure& exposure, RigRenderer* renderer) {
   switch (exposure.camera) {
     case CameraId::kHeadColor:
-      return renderer->HeadColor(exposure.pose, exposure.seq);
+      return renderer->HeadColor(exposure.path, exposure.seq, exposure.exposure_1);
     case CameraId::kHeadBw:
-      return renderer->HeadBw(exposure.pose, exposure.lasers, exposure.seq);
+      return renderer->HeadBw(exposure.path, exposure.lasers, exposure.seq, exposure.exposure_1);
     case CameraId::kFloorColor:
-      return renderer->FloorColor(exposure.pose, exposure.seq);
+      return renderer->FloorColor(exposure.path, exposure.seq, exposure.exposure_1);
   }
   throw ContractViolation("Develop: no such camera");
 }
@@ -71,15 +96,27 @@ SimulatedRobot::SimulatedRobot(const World& world, std::shared_ptr<const Scene> 
           Line{&laser_board_, LineFaults(Seeded(options.laser_faults, seed, DeviceId::kLasers))}} {
   const CameraOptions* cameras[] = {&options_.renderer.color, &options_.renderer.stripe,
                                     &options_.renderer.floor};
+  const geometry::PinholeCamera* drawn[] = {&rig_.color_camera, &rig_.stripe_camera,
+                                            &rig_.floor_camera};
   for (const CameraId camera : kCameras) {
     const auto k = static_cast<size_t>(camera);
     Shutter& shutter = shutters_[k];
     shutter.camera = camera;
-    shutter.period_steps = Steps(1.0 / cameras[k]->rate_hz, kStep_s);
-    shutter.exposure_steps = Steps(cameras[k]->exposure_us * 1e-6, kStep_s);
+    shutter.focal_px = drawn[k]->fx_px;
+    shutter.made_period_steps = Steps(1.0 / cameras[k]->rate_hz, kStep_s);
+    shutter.made_exposure_steps = Steps(cameras[k]->exposure_us * 1e-6, kStep_s);
+    shutter.asked_exposure_steps = shutter.exposure_steps = shutter.made_exposure_steps;
     // The cameras run freely: nothing makes them start together.
-    shutter.phase_steps = static_cast<int64_t>(7 + 31 * k);
+    shutter.next_start_step = static_cast<int64_t>(7 + 31 * k);
   }
+}
+
+void SimulatedRobot::SetExposure(CameraId camera, double exposure_s) {
+  Require(exposure_s >= 0.001 && exposure_s <= 2.0,
+          "SetExposure: " + std::to_string(exposure_s) + " s, must be from 0.001 to 2");
+  Shutter& shutter = shutters_[static_cast<size_t>(camera)];
+  // An exposure under way ends as it began.
+  shutter.asked_exposure_steps = Steps(exposure_s, kStep_s);
 }
 
 void SimulatedRobot::Receive(DeviceId device, std::span<const uint8_t> bytes) {
@@ -109,29 +146,36 @@ void SimulatedRobot::Step() {
 }
 
 void SimulatedRobot::StepShutter(Shutter* shutter) {
-  const int64_t since_phase = steps_ - shutter->phase_steps;
-  if (since_phase < 0) return;
-  const int64_t into = since_phase % shutter->period_steps;
   Exposure& exposure = shutter->exposure;
-  if (into == 0) {
+  if (steps_ == shutter->next_start_step) {
+    constexpr double kReadOut_1 = 0.1;  // of the period, at least
+    shutter->exposure_steps = shutter->asked_exposure_steps;
+    const auto least_steps = static_cast<int64_t>(
+        std::ceil(static_cast<double>(shutter->exposure_steps) / (1.0 - kReadOut_1)));
+    shutter->next_start_step += std::max(shutter->made_period_steps, least_steps);
+    shutter->start_step = steps_;
     exposure = Exposure();
     exposure.camera = shutter->camera;
-    exposure.seq = since_phase / shutter->period_steps + 1;
+    exposure.seq = ++shutter->seq;
     exposure.start_s = time_s();
+    exposure.exposure_1 = static_cast<double>(shutter->exposure_steps) /
+                          static_cast<double>(shutter->made_exposure_steps);
+    shutter->poses.clear();
     shutter->lit_steps[0] = shutter->lit_steps[1] = 0;
   }
-  if (into >= shutter->exposure_steps) return;
+  if (shutter->seq == 0 || steps_ >= shutter->start_step + shutter->exposure_steps) return;
   for (size_t laser = 0; laser < 2; ++laser) {
     if (laser_board_.lasers()[laser]) ++shutter->lit_steps[laser];
   }
-  if (into == shutter->exposure_steps / 2) exposure.pose = Pose();
-  if (into != shutter->exposure_steps - 1) return;
+  shutter->poses.push_back(Pose());
+  if (steps_ != shutter->start_step + shutter->exposure_steps - 1) return;
   exposure.end_s = time_s() + kStep_s;
   const auto share_1 = [&](size_t laser) {
     return static_cast<double>(shutter->lit_steps[laser]) /
            static_cast<double>(shutter->exposure_steps);
   };
   exposure.lasers = {share_1(0), share_1(1)};
+  exposure.path = PathOf(shutter->poses, shutter->focal_px, kMostPoses);
   exposures_.push_back(exposure);
 }
 

@@ -27,8 +27,9 @@ struct Exposure {
   int64_t seq = 0;       // counts from 1, also over frames nobody develops
   double start_s = 0.0;  // of the exposure
   double end_s = 0.0;
-  RigPose pose;  // at its middle
+  RigPath path;
   LaserFractions lasers;
+  double exposure_1 = 1.0;  // its length, in units of the camera's exposure_us
 };
 
 Frame Develop(const Exposure& exposure, RigRenderer* renderer);
@@ -52,6 +53,8 @@ struct RobotTruth {
 class SimulatedRobot {
  public:
   static constexpr double kStep_s = 0.001;
+  // A frame that is exposed while the camera moves is the mean of this many at most.
+  static constexpr int kMostPoses = 8;
 
   // Errors: a mesh of the world cannot be used.
   static Result<std::unique_ptr<SimulatedRobot>> Create(const World& world,
@@ -65,6 +68,9 @@ class SimulatedRobot {
   void Advance(double time_s);
   // What has reached the host since last asked.
   std::vector<uint8_t> Transmit(DeviceId device);
+  // How long a camera exposes from its next frame on. It takes fewer frames a second if they would
+  // not leave time to read them out. Needs 1 ms to 2 s.
+  void SetExposure(CameraId camera, double exposure_s);
   // Exposures that have ended since last asked.
   std::vector<Exposure> TakeExposures();
 
@@ -82,8 +88,15 @@ class SimulatedRobot {
   };
   struct Shutter {
     CameraId camera;
-    int64_t period_steps, exposure_steps, phase_steps;
+    double focal_px;
+    int64_t made_period_steps, made_exposure_steps;
+    int64_t asked_exposure_steps;  // of the next frame
+    int64_t exposure_steps;        // of this one
+    int64_t next_start_step;
+    int64_t start_step = 0;
+    int64_t seq = 0;  // of this frame; 0: before the first
     int64_t lit_steps[2] = {0, 0};
+    std::vector<RigPose> poses;  // at each step of the exposure
     Exposure exposure;
   };
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/angles.h"
+#include "sim/world_scene.h"
 #include "tests/common/sim/scene_testing.h"
 
 namespace geon::sim {
@@ -63,7 +64,9 @@ double StraightnessRms(const std::vector<double>& y) {
 class StripeOnBoardTest : public ::testing::TestWithParam<double> {};
 
 TEST_P(StripeOnBoardTest, IsAsStraightAsOnARealRigAndNoStraighter) {
-  RigRenderer renderer(SceneFrom(""), TestRig(), RendererOptions(), 4);
+  RendererOptions options;
+  options.mounting.lens_px = 0.0;  // which bends it
+  RigRenderer renderer(SceneFrom(""), TestRig(), options, 4);
   const RigPose pose;
   renderer.SetScene(BoardScene(renderer.StripeCameraPose(pose), GetParam()));
   const Frame unlit = renderer.HeadBw(pose, {}, 1);
@@ -178,6 +181,130 @@ TEST(RigRendererTest, SameSeedSameBytesAndOtherSeedOthers) {
   EXPECT_EQ(first.FloorColor(pose, 3).pixels, second.FloorColor(pose, 3).pixels);
   EXPECT_NE(first.HeadColor(pose, 3).pixels, first.HeadColor(pose, 4).pixels);
   EXPECT_NE(first.HeadBw(pose, {1, 0}, 3).pixels, other.HeadBw(pose, {1, 0}, 3).pixels);
+}
+
+// Where in row v an edge near column `about` lies, from how much light there is in all on both
+// sides of it. NaN too near the picture's sides.
+double EdgeInRow(const Frame& frame, int about, int v) {
+  constexpr int kHalf = 12;
+  if (about < kHalf + 4 || about > frame.width_px - kHalf - 5) return std::nan("");
+  const auto mean = [&](int from) {
+    return (At(frame, from, v) + At(frame, from + 1, v) + At(frame, from + 2, v)) / 3.0;
+  };
+  const double left = mean(about - kHalf - 3), right = mean(about + kHalf + 1);
+  double lit_left = 0.0;
+  for (int u = about - kHalf; u <= about + kHalf; ++u) {
+    lit_left += (right - At(frame, u, v)) / (right - left);
+  }
+  return about - kHalf - 0.5 + lit_left;
+}
+
+// An individual whose pixels tell the light as it is.
+RendererOptions WithoutNoise() {
+  RendererOptions options;
+  for (CameraOptions* camera : {&options.color, &options.stripe}) {
+    camera->read_noise_e = 0.0;
+    camera->full_well_e = 1e12;
+    camera->gamma_1 = 1.0;
+  }
+  return options;
+}
+
+TEST(RigRendererTest, ChessboardIsSeenWhereTheLensPutsIt) {
+  const auto scene = SceneFrom(
+      "  - {chessboard: {squares: [12, 9], square_m: 0.03}, x_m: 1.55, y_m: 1.85, z_m: 0.7, "
+      "yaw_deg: -80, pitch_deg: 10}\n");
+  const Checks& checks = scene->bodies().back().material.checks.value();
+  RendererOptions options = WithoutNoise();
+  options.mounting.lens_px = 4.0;
+  RigRenderer renderer(scene, TestRig(), options, 6);
+  const BuiltRig& rig = renderer.built_rig();
+  RigPose pose;
+  pose.X_WR = geometry::PlanarPose(1.5, 0.6, kPi / 2);
+  pose.tilt_rad = RadiansFromDegrees(-2.0);
+  for (const bool bw : {true, false}) {
+    constexpr double kLong_1 = 100.0;  // a second, through the filter
+    const Frame frame = bw ? renderer.HeadBw(pose, {}, 1, kLong_1) : renderer.HeadColor(pose, 1);
+    const BuiltCamera& camera = bw ? rig.stripe_camera : rig.color_camera;
+    const auto X_RC =
+        bw ? rig.StripeCameraPose(0.0, pose.tilt_rad) : rig.ColorCameraPose(0.0, pose.tilt_rad);
+    const geometry::RigidTransform X_CW = (pose.X_WR * X_RC).inverse();
+    const auto on_board = [&](double column, double row) -> Eigen::Vector3d {
+      return X_CW *
+             (checks.corner_W_m + checks.square_m * (column * checks.along_W + row * checks.up_W));
+    };
+    double sum_px = 0.0, squares_px2 = 0.0, lens_px = 0.0;
+    int edges = 0;
+    for (int column = 1; column < checks.columns; ++column) {
+      for (int row = 0; row < checks.rows; ++row) {
+        const Eigen::Vector2d low_px = camera.Project(on_board(column, row + 0.4)),
+                              high_px = camera.Project(on_board(column, row + 0.6));
+        const int v = static_cast<int>(std::lround(0.5 * (low_px.y() + high_px.y())));
+        if (v < 5 || v > 474) continue;
+        const double true_u_px =
+            low_px.x() + (v - low_px.y()) / (high_px.y() - low_px.y()) * (high_px.x() - low_px.x());
+        const double u_px = EdgeInRow(frame, static_cast<int>(std::lround(true_u_px)), v);
+        if (std::isnan(u_px)) continue;
+        sum_px += u_px - true_u_px;
+        squares_px2 += std::pow(u_px - true_u_px, 2);
+        lens_px = std::max(lens_px, (camera.ideal.Project(on_board(column, row)) -
+                                     camera.Project(on_board(column, row)))
+                                        .norm());
+        ++edges;
+      }
+    }
+    ASSERT_GT(edges, 40) << bw;
+    EXPECT_GT(lens_px, 0.6) << bw;
+    EXPECT_NEAR(sum_px / edges, 0.0, 0.005) << bw;
+    EXPECT_LT(std::sqrt(squares_px2 / edges), 0.025) << bw;  // half of it: 8 bits a pixel
+  }
+}
+
+TEST(RigRendererTest, ALaserLightsTheSquaresOfAChessboardAsTheyArePainted) {
+  const auto scene = SceneFrom(
+      "  - {chessboard: {squares: [12, 9], square_m: 0.03}, x_m: 1.5, y_m: 1.65, z_m: 0.7, "
+      "yaw_deg: -90}\n");
+  RigRenderer renderer(scene, TestRig(), WithoutMountingErrors(), 6);
+  RigPose pose;
+  pose.X_WR = geometry::PlanarPose(1.5, 0.6, kPi / 2);
+  pose.tilt_rad = RadiansFromDegrees(-3.0);
+  const Frame unlit = renderer.HeadBw(pose, {}, 1), lit = renderer.HeadBw(pose, {1, 0}, 2);
+  int bright = 0, dark = 0;
+  for (int u = 40; u < 600; ++u) {
+    int level = 0;
+    for (int v = 0; v < 480; ++v) level = std::max(level, At(lit, u, v) - At(unlit, u, v));
+    bright += level > 120 ? 1 : 0;
+    dark += level < 40 ? 1 : 0;
+  }
+  EXPECT_NEAR(bright, 280, 60);
+  EXPECT_NEAR(dark, 250, 60);
+}
+
+TEST(RigRendererTest, AMovingHeadSeesTheMeanOfWhereItWas) {
+  const std::string geon = "  - {geon: cuboid, size_m: [0.2, 0.2, 0.26], x_m: 1.5, y_m: 1.75}\n";
+  RigRenderer renderer(SceneFrom(geon), TestRig(), WithoutNoise(), 7);
+  RigPose first;
+  first.X_WR = geometry::PlanarPose(1.5, 0.6, kPi / 2);
+  first.tilt_rad = -0.4;
+  RigPose second = first;
+  second.pan_rad = 0.01;
+  RigPath path;
+  path.poses = {first, second};
+  const Frame colors[] = {renderer.HeadColor(first, 1), renderer.HeadColor(second, 1),
+                          renderer.HeadColor(path, 1)};
+  const Frame stripes[] = {renderer.HeadBw(first, {1, 0}, 1, 10.0),
+                           renderer.HeadBw(second, {1, 0}, 1, 10.0),
+                           renderer.HeadBw(path, {1, 0}, 1, 10.0)};
+  for (const auto& frames : {colors, stripes}) {
+    int different = 0;
+    for (size_t k = 0; k < frames[0].pixels.size(); ++k) {
+      const int a = frames[0].pixels[k], b = frames[1].pixels[k], mean = frames[2].pixels[k];
+      if (a == 255 || b == 255) continue;  // full: the mean is not that of the pictures
+      EXPECT_NEAR(mean, 0.5 * (a + b), 1.5);
+      different += std::abs(a - b) > 20 ? 1 : 0;
+    }
+    EXPECT_GT(different, 300);
+  }
 }
 
 TEST(RigRendererTest, FloorCameraSeesTheFloorInItsColour) {

@@ -57,7 +57,7 @@ inline geometry::SensorRig TestRig() {
 
 inline RendererOptions WithoutMountingErrors() {
   RendererOptions options;
-  options.mounting = {0.0, 0.0, 0.0};
+  options.mounting = NoMountingErrors();
   return options;
 }
 

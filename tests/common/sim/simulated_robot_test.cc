@@ -83,15 +83,53 @@ TEST(SimulatedRobotTest, ALaserSwitchedWithinAnExposureLightsPartOfIt) {
 TEST(SimulatedRobotTest, ExposuresShowTheHeadWhereItReallyIs) {
   const auto robot = MakeRobot();
   robot->Advance(0.5);
-  for (const Exposure& before : robot->TakeExposures()) EXPECT_EQ(before.pose.pan_rad, 0.0);
+  for (const Exposure& before : robot->TakeExposures())
+    EXPECT_EQ(before.path.middle().pan_rad, 0.0);
   Say(robot.get(), DeviceId::kPtu, "PP1000 ");
   robot->Advance(3.0);
   const auto exposures = Of(CameraId::kHeadColor, robot->TakeExposures());
   const double final_rad = RadiansFromDegrees(1000 * 185.1428 / 3600);
-  EXPECT_NEAR(exposures.back().pose.pan_rad, final_rad, 1e-9);
+  EXPECT_NEAR(exposures.back().path.middle().pan_rad, final_rad, 1e-9);
   EXPECT_TRUE(std::any_of(exposures.begin(), exposures.end(), [&](const Exposure& exposure) {
-    return exposure.pose.pan_rad > 0.05 * final_rad && exposure.pose.pan_rad < 0.95 * final_rad;
+    const double pan_rad = exposure.path.middle().pan_rad;
+    return pan_rad > 0.05 * final_rad && pan_rad < 0.95 * final_rad;
   }));
+}
+
+TEST(SimulatedRobotTest, AnExposureHasMorePosesThePictureMovesThrough) {
+  const auto robot = MakeRobot();
+  robot->Advance(0.5);
+  for (const Exposure& still : robot->TakeExposures()) EXPECT_EQ(still.path.poses.size(), 1u);
+  Say(robot.get(), DeviceId::kPtu, "PS400 PP1000 ");  // 20.6 degrees a second
+  robot->Advance(1.5);
+  const auto moving = Of(CameraId::kHeadBw, robot->TakeExposures());
+  const RigPath& path = moving[moving.size() / 2].path;
+  // 0.36 rad/s for 10 ms: 5.8 px of 1600.
+  ASSERT_EQ(path.poses.size(), 4u);
+  for (size_t k = 1; k < path.poses.size(); ++k) {
+    EXPECT_NEAR(path.poses[k].pan_rad - path.poses[k - 1].pan_rad, 0.36 * 0.0025, 0.36 * 0.0006);
+  }
+}
+
+TEST(SimulatedRobotTest, ALongerExposureIsBrighterAndTakesItsTime) {
+  const auto robot = MakeRobot();
+  robot->Advance(0.5);
+  robot->TakeExposures();
+  robot->SetExposure(CameraId::kHeadBw, 0.250);
+  Say(robot.get(), DeviceId::kLasers, "M71T1\n");
+  robot->Advance(2.0);
+  const auto bw = Of(CameraId::kHeadBw, robot->TakeExposures());
+  ASSERT_GE(bw.size(), 5u);
+  for (const Exposure& exposure : bw) {
+    EXPECT_NEAR(exposure.end_s - exposure.start_s, 0.250, 1e-9);
+    EXPECT_DOUBLE_EQ(exposure.exposure_1, 25.0);
+  }
+  EXPECT_NEAR(bw[2].start_s - bw[1].start_s, 0.278, 0.0011);  // a tenth of it to read out
+  EXPECT_EQ(bw[2].seq, bw[1].seq + 1);
+  EXPECT_EQ(bw[2].lasers.horizontal_1, 1.0);
+  robot->SetExposure(CameraId::kHeadBw, 0.010);
+  robot->Advance(3.0);
+  EXPECT_DOUBLE_EQ(robot->TakeExposures().back().exposure_1, 1.0);
 }
 
 TEST(SimulatedRobotTest, StartsWhereTheWorldSays) {
