@@ -22,7 +22,7 @@ bool SameVerdict(sensor::GeonVerdict a, sensor::GeonVerdict b) {
 class Replayer {
  public:
   Replayer(const recognizer::RecognizerConfig& config,
-           const recognizer::StripeCalibration& calibration, ReplayedLog* log)
+           const std::optional<recognizer::StripeCalibration>& calibration, ReplayedLog* log)
       : config_(config), calibration_(calibration), log_(log) {
     assembler_.emplace(config_.rig, calibration_, config_.assembler);
   }
@@ -73,7 +73,7 @@ class Replayer {
   }
 
   const recognizer::RecognizerConfig& config_;
-  const recognizer::StripeCalibration& calibration_;
+  const std::optional<recognizer::StripeCalibration>& calibration_;
   ReplayedLog* log_;
   std::optional<ScanAssembler> assembler_;
   std::optional<int64_t> start_utime_;  // of the recognizer that was heard last
@@ -89,7 +89,7 @@ bool ReplayedLog::identical() const {
 
 Result<ReplayedLog> ReplayLog(const std::filesystem::path& file,
                               const recognizer::RecognizerConfig& config,
-                              const recognizer::StripeCalibration& calibration,
+                              const std::optional<recognizer::StripeCalibration>& calibration,
                               const std::function<void(double)>& progress) {
   Result<messaging::LogReader> reader = messaging::LogReader::Open(file);
   if (!reader.ok()) return reader.status();

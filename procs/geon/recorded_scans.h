@@ -36,7 +36,7 @@ struct ReplayedLog {
 // log shows that it was started anew, so is the assembler. `progress` hears the fraction read.
 Result<ReplayedLog> ReplayLog(const std::filesystem::path& log,
                               const recognizer::RecognizerConfig& config,
-                              const recognizer::StripeCalibration& calibration,
+                              const std::optional<recognizer::StripeCalibration>& calibration,
                               const std::function<void(double)>& progress);
 
 }  // namespace geon::cli

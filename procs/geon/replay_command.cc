@@ -111,11 +111,12 @@ int Replay(const ReplayArguments& arguments) {
     std::cerr << "geon replay: " << config.message() << "\n";
     return kUsage;
   }
-  const auto calibration = recognizer::LoadStripeCalibration(config->calibration_dir, config->rig);
+  const auto calibration = recognizer::LoadCalibration(*config);
   if (!calibration.ok()) {
     std::cerr << "geon replay: " << calibration.message() << "\n";
     return kNotReady;
   }
+  const std::string calibration_hash = *calibration ? (*calibration)->hash : "";
   config->assembler.recognition = ToOptions(arguments.recognition, config->assembler.recognition);
   Progress progress("geon replay");
   const auto read = [&] {
@@ -133,11 +134,11 @@ int Replay(const ReplayArguments& arguments) {
     std::cerr << "geon replay: " << log.message() << "\n";
     return kFailed;
   }
-  for (const std::string& warning : Warnings(*log, calibration->hash)) {
+  for (const std::string& warning : Warnings(*log, calibration_hash)) {
     std::cerr << "geon replay: " << warning << "\n";
   }
   if (arguments.json) {
-    PrintJson(*log, arguments.log, calibration->hash);
+    PrintJson(*log, arguments.log, calibration_hash);
   } else {
     PrintText(*log, arguments.recognition.any());
   }

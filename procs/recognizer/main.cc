@@ -7,12 +7,14 @@
 namespace {
 
 int Serve(const geon::recognizer::RecognizerConfig& config, const geon::messaging::Daemon& daemon) {
-  auto calibration = geon::recognizer::LoadStripeCalibration(config.calibration_dir, config.rig);
+  const auto calibration = geon::recognizer::LoadCalibration(config);
   if (!calibration.ok()) {
     spdlog::error("{}", calibration.message());
     return 3;
   }
-  daemon.health->SetCalibration(calibration->hash, calibration->directory);
+  if (*calibration) {
+    daemon.health->SetCalibration((*calibration)->hash, (*calibration)->directory);
+  }
   const geon::recognizer::RecognizerNode node({config.rig, *calibration, config.assembler},
                                               daemon.bus, daemon.health);
   daemon.loop->Watch(daemon.bus->file_descriptor(), [&] { daemon.bus->HandlePending(); });

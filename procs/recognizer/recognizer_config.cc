@@ -36,7 +36,11 @@ void ReadRecognizerSection(config::YamlSection section, RecognizerConfig* config
   section.Check(!calibration_dir.empty(), "calibration_dir", "must name a folder");
   config->calibration_dir = calibration_dir;
 
-  std::string name;
+  std::string name = "lut";
+  section.ReadOptional("ranging", &name);
+  section.Check(name == "lut" || name == "rig", "ranging", "must be lut or rig");
+  config->ranging = name == "rig" ? Ranging::kRig : Ranging::kLookUpTable;
+
   section.Read("method", &name);
   const auto method = recognition::MethodFromString(name);
   section.Check(method.has_value(), "method", "must be evidence or thesis");
@@ -59,6 +63,13 @@ void ReadRecognizerSection(config::YamlSection section, RecognizerConfig* config
 Result<RecognizerConfig> LoadRecognizerConfig(const std::filesystem::path& robot_file,
                                               const std::string& calibration_dir) {
   return Load(robot_file, calibration_dir, nullptr);
+}
+
+Result<std::optional<StripeCalibration>> LoadCalibration(const RecognizerConfig& config) {
+  if (config.ranging == Ranging::kRig) return std::optional<StripeCalibration>();
+  Result<StripeCalibration> calibration = LoadStripeCalibration(config.calibration_dir, config.rig);
+  if (!calibration.ok()) return calibration.status();
+  return std::optional<StripeCalibration>(std::move(*calibration));
 }
 
 Result<RecognizerConfig> LoadRecognizerConfig(const config::DaemonArguments& arguments,

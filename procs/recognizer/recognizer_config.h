@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "base/status.h"
@@ -14,6 +15,7 @@ namespace geon::recognizer {
 struct RecognizerConfig {
   geometry::SensorRig rig;
   std::filesystem::path calibration_dir;
+  Ranging ranging = Ranging::kLookUpTable;
   ScanAssemblerOptions assembler;
   std::string bus_url;
 };
@@ -25,6 +27,9 @@ void ReadRecognizerSection(config::YamlSection section, RecognizerConfig* config
 // of that file. `calibration_dir`, when not empty, wins over the file's.
 Result<RecognizerConfig> LoadRecognizerConfig(const std::filesystem::path& robot_file,
                                               const std::string& calibration_dir);
+
+// The look-up tables, or none if distances come from the rig.
+Result<std::optional<StripeCalibration>> LoadCalibration(const RecognizerConfig& config);
 
 // The same with `bus:`, for the daemon.
 Result<RecognizerConfig> LoadRecognizerConfig(const config::DaemonArguments& arguments,

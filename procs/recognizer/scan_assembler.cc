@@ -53,7 +53,7 @@ sensor::ScanSet MakeScanSet(const geometry::SensorRig& rig, const sensor::ScanPl
   return scan;
 }
 
-ScanAssembler::ScanAssembler(geometry::SensorRig rig, StripeCalibration calibration,
+ScanAssembler::ScanAssembler(geometry::SensorRig rig, std::optional<StripeCalibration> calibration,
                              const ScanAssemblerOptions& options)
     : rig_(std::move(rig)), calibration_(std::move(calibration)), options_(options) {
   options_.recognition.Validate();
@@ -110,19 +110,25 @@ sensor::RangeProfile ScanAssembler::Measure(const sensor::Stripe& stripe) const 
   if (stripe.status != sensor::StripeStatus::kLit) {
     return EmptyProfile(stripe, ProfileStatus::kRefused);
   }
-  const rangefinder::LookUpTable& table =
-      stripe.laser == sensor::Laser::kHorizontal ? calibration_.horizontal : calibration_.vertical;
+  // The tables were made with images of this size (LoadStripeCalibration).
+  const geometry::PinholeCamera& camera = rig_.stripe_camera;
   const Result<sensor::Image> difference =
-      DifferenceImage(stripe.difference, table.width_px, table.height_px);
+      DifferenceImage(stripe.difference, camera.width_px, camera.height_px);
   if (!difference.ok()) return EmptyProfile(stripe, ProfileStatus::kRefused);
   sensor::Stripe plain = stripe;
   plain.difference = *difference;
-  sensor::RangeProfile profile =
-      rangefinder::MeasureProfile(plain, *plan_, table, rig_, options_.peaks);
+  sensor::RangeProfile profile = MeasurePoints(plain);
   CountTargetPoints(&profile);
   profile.status =
       profile.on_target >= options_.fewest_points ? ProfileStatus::kOk : ProfileStatus::kMissing;
   return profile;
+}
+
+sensor::RangeProfile ScanAssembler::MeasurePoints(const sensor::Stripe& plain) const {
+  if (!calibration_) return rangefinder::TriangulateStripe(plain, *plan_, rig_, options_.peaks);
+  const rangefinder::LookUpTable& table =
+      plain.laser == sensor::Laser::kHorizontal ? calibration_->horizontal : calibration_->vertical;
+  return rangefinder::MeasureProfile(plain, *plan_, table, rig_, options_.peaks);
 }
 
 // The region of interest needs horizontal stripes; this one is as good as those already there.

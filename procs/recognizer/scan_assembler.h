@@ -43,7 +43,8 @@ sensor::ScanSet MakeScanSet(const geometry::SensorRig& rig, const sensor::ScanPl
 //   told again.
 class ScanAssembler {
  public:
-  ScanAssembler(geometry::SensorRig rig, StripeCalibration calibration,
+  // Without a calibration, distances come from the rig.
+  ScanAssembler(geometry::SensorRig rig, std::optional<StripeCalibration> calibration,
                 const ScanAssemblerOptions& options);
 
   struct Answer {
@@ -62,11 +63,12 @@ class ScanAssembler {
 
  private:
   sensor::RangeProfile Measure(const sensor::Stripe& stripe) const;
+  sensor::RangeProfile MeasurePoints(const sensor::Stripe& plain) const;
   void CountTargetPoints(sensor::RangeProfile* profile) const;
   sensor::GeonVerdict GiveVerdict();
 
   geometry::SensorRig rig_;
-  StripeCalibration calibration_;
+  std::optional<StripeCalibration> calibration_;
   ScanAssemblerOptions options_;
   std::optional<sensor::ScanPlan> plan_;
   std::map<std::pair<int32_t, int32_t>, sensor::RangeProfile> answers_;  // (stripe, attempt)

@@ -17,6 +17,10 @@ struct StripeCalibration {
   std::string hash;  // of both files
 };
 
+// Where distances come from: the tables, each of which was measured by itself, or the rig's own
+// geometry, when that was calibrated as a whole.
+enum class Ranging { kLookUpTable, kRig };
+
 // Reads horizontal.lut and vertical.lut of a folder and checks that they belong to this rig's
 // camera.
 Result<StripeCalibration> LoadStripeCalibration(const std::filesystem::path& directory,

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <vector>
 
 #include "base/angles.h"
 #include "base/contracts.h"
@@ -153,6 +157,101 @@ TEST(RangeProfileTest, DarkStripeGivesNoPoints) {
   const auto profile =
       MeasureProfile(scan.stripe, scan.plan, Calibrate(scan.rig, Laser::kHorizontal), scan.rig);
   EXPECT_TRUE(profile.pixel.empty());
+}
+
+// Where the stripe on the floor is seen by a camera with a lens: points of the line in which the
+// laser's plane cuts the floor, projected one by one, and joined between columns.
+std::function<std::optional<double>(int)> FloorStripeThroughLens(const geometry::SensorRig& rig,
+                                                                 const sensor::Stripe& stripe) {
+  const bool horizontal = stripe.laser == Laser::kHorizontal;
+  const geometry::LaserMount& mount = horizontal ? rig.horizontal_laser : rig.vertical_laser;
+  const RigidTransform X_RT = rig.HeadPose(stripe.pan_rad, stripe.tilt_rad);
+  const RigidTransform X_BR = (X_RT * rig.X_TB).inverse();
+  const Eigen::Vector3d normal_R = X_RT.linear() * mount.normal_T,
+                        origin_R_m = X_RT * mount.p_TLaser_m;
+  // Along the line: at right angles to both normals, through the point that is nearest the laser.
+  const Eigen::Vector3d along_R = normal_R.cross(Eigen::Vector3d::UnitZ()).normalized();
+  const Eigen::Vector3d down_R = along_R.cross(normal_R);
+  const Eigen::Vector3d foot_R_m = origin_R_m - down_R * (origin_R_m.z() / down_R.z());
+  const geometry::PinholeCamera& camera = rig.stripe_camera;
+  std::vector<Eigen::Vector2d> seen_px;  // (column, row), or (row, column) of a vertical stripe
+  for (double t_m = -1.5; t_m <= 1.5; t_m += 1e-4) {
+    const Eigen::Vector3d p_B_m = X_BR * (foot_R_m + t_m * along_R);
+    if (p_B_m.z() < 0.1) continue;
+    const double x = p_B_m.x() / p_B_m.z(), y = p_B_m.y() / p_B_m.z(), r2 = x * x + y * y;
+    if (r2 > 0.2) continue;  // far beyond the picture
+    const double stretch = 1.0 + camera.k1_1 * r2 + camera.k2_1 * r2 * r2;
+    const Eigen::Vector2d pixel_px(camera.cx_px + camera.fx_px * x * stretch,
+                                   camera.cy_px + camera.fy_px * y * stretch);
+    seen_px.push_back(horizontal ? pixel_px : Eigen::Vector2d(pixel_px.y(), pixel_px.x()));
+  }
+  std::sort(seen_px.begin(), seen_px.end(),
+            [](const auto& a, const auto& b) { return a.x() < b.x(); });
+  return [seen_px](int line) -> std::optional<double> {
+    const auto after = std::lower_bound(seen_px.begin(), seen_px.end(), line,
+                                        [](const auto& p, int at) { return p.x() < at; });
+    if (after == seen_px.begin() || after == seen_px.end()) return std::nullopt;
+    const Eigen::Vector2d &a = *(after - 1), &b = *after;
+    return a.y() + (line - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
+  };
+}
+
+TEST(TriangulateStripeTest, MeasuresTheFloorThroughALensAndWithAxesOutOfSquare) {
+  for (const Laser laser : {Laser::kHorizontal, Laser::kVertical}) {
+    Scan scan = FloorScan(laser);
+    geometry::SensorRig& rig = scan.rig;
+    rig.stripe_camera.k1_1 = -0.12;
+    rig.stripe_camera.k2_1 = 0.4;
+    rig.stripe_camera.cx_px += 7.0;
+    rig.ptu_axes.tilt_roll_rad = 0.004;
+    rig.ptu_axes.p_PTilt_m = {0.003, 0.0, -0.002};
+    rig.vertical_laser.normal_T =
+        (rig.vertical_laser.normal_T + Eigen::Vector3d(0.0, 0.0, 0.01)).normalized();
+    SyntheticStripe synthetic;
+    synthetic.laser = laser;
+    synthetic.position_px = FloorStripeThroughLens(rig, scan.stripe);
+    scan.stripe.difference = synthetic.Render();
+    const auto profile = TriangulateStripe(scan.stripe, scan.plan, rig);
+    EXPECT_GT(profile.pixel.size(), laser == Laser::kHorizontal ? 600u : 440u);
+    double sum_m = 0.0, square_sum_m2 = 0.0;
+    for (const Eigen::Vector3d& p_L_m : profile.p_L_m) {
+      sum_m += p_L_m.z();
+      square_sum_m2 += p_L_m.z() * p_L_m.z();
+    }
+    const auto n = static_cast<double>(profile.p_L_m.size());
+    EXPECT_NEAR(sum_m / n, 0.0, 5e-5);
+    EXPECT_LT(std::sqrt(square_sum_m2 / n), 5e-4);
+    EXPECT_EQ(profile.stripe_index, 1);
+  }
+}
+
+TEST(TriangulateStripeTest, AgreesWithATableOfTheSameRig) {
+  const Scan scan = FloorScan(Laser::kVertical);
+  const auto by_table =
+      MeasureProfile(scan.stripe, scan.plan, Calibrate(scan.rig, Laser::kVertical), scan.rig);
+  const auto by_rig = TriangulateStripe(scan.stripe, scan.plan, scan.rig);
+  ASSERT_EQ(by_table.pixel, by_rig.pixel);
+  for (size_t k = 0; k < by_rig.p_L_m.size(); ++k) {
+    EXPECT_NEAR((by_rig.p_L_m[k] - by_table.p_L_m[k]).norm(), 0.0, 1e-4);  // the table's chords
+  }
+}
+
+TEST(TriangulateStripeTest, LeavesOutWhatLiesOutsideItsDistances) {
+  const Scan scan = FloorScan(Laser::kVertical);
+  const auto all = TriangulateStripe(scan.stripe, scan.plan, scan.rig);
+  const RigidTransform X_RB = scan.rig.StripeCameraPose(scan.plan.pan_rad, scan.plan.tilt_rad);
+  const RigidTransform X_BL =
+      (scan.rig.StripeCameraPose(scan.stripe.pan_rad, scan.stripe.tilt_rad)).inverse() *
+      geometry::LevelFrame(X_RB, 0.0);
+  const double middle_m = (X_BL * all.p_L_m[all.p_L_m.size() / 2]).z();
+  const auto near_half = TriangulateStripe(scan.stripe, scan.plan, scan.rig, {}, {0.3, middle_m});
+  EXPECT_GT(near_half.pixel.size(), all.pixel.size() / 4);
+  EXPECT_LT(near_half.pixel.size(), 3 * all.pixel.size() / 4);
+  for (const Eigen::Vector3d& p_L_m : near_half.p_L_m) {
+    EXPECT_LE((X_BL * p_L_m).z(), middle_m + 1e-9);
+  }
+  EXPECT_THROW((void)TriangulateStripe(scan.stripe, scan.plan, scan.rig, {}, {2.0, 1.0}),
+               ContractViolation);
 }
 
 TEST(RangeProfileTest, BrokenContractsThrow) {

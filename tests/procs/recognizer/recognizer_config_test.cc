@@ -42,6 +42,21 @@ TEST(RecognizerConfig, RefusesUnknownNamesWithTheirLine) {
   EXPECT_THAT(status.message(), HasSubstr("ogorman, ramer or wall"));
 }
 
+TEST(RecognizerConfig, DistancesComeFromTheTablesUnlessTheFileSaysTheRig) {
+  const std::string rest =
+      "  calibration_dir: nowhere\n  method: thesis\n  curvature: ramer\n  smoothing: none\n"
+      "  fewest_points: 20\n";
+  RecognizerConfig config;
+  ASSERT_TRUE(Read("recognizer:\n" + rest, &config).ok());
+  EXPECT_EQ(config.ranging, Ranging::kLookUpTable);
+  EXPECT_FALSE(LoadCalibration(config).ok());
+  ASSERT_TRUE(Read("recognizer:\n  ranging: rig\n" + rest, &config).ok());
+  EXPECT_EQ(config.ranging, Ranging::kRig);
+  EXPECT_FALSE(LoadCalibration(config).value().has_value());
+  EXPECT_THAT(Read("recognizer:\n  ranging: ruler\n" + rest, &config).message(),
+              HasSubstr("lut or rig"));
+}
+
 TEST(RecognizerConfig, TheShippedRobotFileIsGoodAndItsCalibrationLiesBesideIt) {
   const RecognizerConfig config = TestConfig();
   EXPECT_EQ(config.calibration_dir,

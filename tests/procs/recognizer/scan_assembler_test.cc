@@ -57,6 +57,18 @@ TEST_F(ScanAssemblerTest, MeasuresABoardWhereItStands) {
   }
 }
 
+TEST_F(ScanAssemblerTest, MeasuresByTheRigWhereThereAreNoTables) {
+  ScanAssembler by_rig(Config().rig, std::nullopt, Config().assembler);
+  by_rig.Take(plan_);
+  assembler_.Take(plan_);
+  const auto answer = by_rig.Take(Stripe(4)), by_table = assembler_.Take(Stripe(4));
+  EXPECT_EQ(answer.profile.status, ProfileStatus::kOk);
+  ASSERT_EQ(answer.profile.pixel, by_table.profile.pixel);
+  for (size_t k = 0; k < answer.profile.p_L_m.size(); ++k) {
+    EXPECT_NEAR((answer.profile.p_L_m[k] - by_table.profile.p_L_m[k]).norm(), 0.0, 0.002);
+  }
+}
+
 TEST_F(ScanAssemblerTest, GivesTheVerdictWithTheLastStripeAndItsTime) {
   assembler_.Take(plan_);
   for (int k = 0; k < 5; ++k) EXPECT_FALSE(assembler_.Take(Stripe(k)).verdict.has_value());
