@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "sim/gaussian_table.h"
 #include "sim/hash_noise.h"
@@ -106,6 +107,36 @@ float LevelAt(const Scene& scene, const Rays& rays, const Beam& beam, const Sigh
          (beam.SigmaAt(1.0F) / sigma_m) / distance_m;
 }
 
+// What a camera may see, and a bit more: inside the four planes through its eye and the picture's
+// sides.
+class Field {
+ public:
+  explicit Field(const Rays& rays) : eye_(rays.eye) {
+    constexpr int kMargin_px = 20;
+    const int right = rays.camera.ideal.width_px + kMargin_px,
+              bottom = rays.camera.ideal.height_px + kMargin_px;
+    const std::array<Vector3f, 4> corners = {rays.At(-kMargin_px, -kMargin_px),
+                                             rays.At(right, -kMargin_px), rays.At(right, bottom),
+                                             rays.At(-kMargin_px, bottom)};
+    for (size_t k = 0; k < 4; ++k) inward_[k] = corners[k].cross(corners[(k + 1) % 4]);
+  }
+  // Whether light comes through it.
+  bool Meets(const Vector3f& origin, const Vector3f& direction) const {
+    float from = 0.0F, to = std::numeric_limits<float>::infinity();
+    for (const Vector3f& inward : inward_) {
+      const float inside = inward.dot(origin - eye_), gain = inward.dot(direction);
+      if (gain > 0.0F) from = std::max(from, -inside / gain);
+      if (gain < 0.0F) to = std::min(to, -inside / gain);
+      if (gain == 0.0F && inside < 0.0F) return false;
+    }
+    return from <= to;
+  }
+
+ private:
+  Vector3f eye_;
+  std::array<Vector3f, 4> inward_;  // normals of the sides
+};
+
 // Which pixels the fan may light. Three sheets of rays, side by side in the light's thickness, are
 // finer than the picture's pixels along the stripe; round what each ray meets, so many pixels
 // across the stripe are marked that they reach half way to the next sheet.
@@ -137,13 +168,16 @@ class Marks {
     const float step_1 = 0.7F / static_cast<float>(rays_.camera.ideal.fx_px);
     // Where thickness grows as waist (1 + distance / divergence), an upper bound.
     const float growth_1 = beam_.waist_m * beam_.inverse_divergence_1_m;
+    const Vector3f origin = beam_.origin + offset_sigmas * beam_.waist_m * beam_.normal;
+    const Field field(rays_);
     std::vector<Vector3f> directions;
     for (float tangent = -beam_.edge_tangent; tangent <= beam_.edge_tangent; tangent += step_1) {
-      directions.push_back(beam_.forward + tangent * beam_.side +
-                           (beam_.BowAt(tangent) + offset_sigmas * growth_1) * beam_.normal);
+      const Vector3f direction = beam_.forward + tangent * beam_.side +
+                                 (beam_.BowAt(tangent) + offset_sigmas * growth_1) * beam_.normal;
+      if (field.Meets(origin, direction)) directions.push_back(direction);
     }
     std::vector<Sighting> sightings(directions.size());
-    scene_.Look(beam_.origin + offset_sigmas * beam_.waist_m * beam_.normal, directions, sightings);
+    scene_.Look(origin, directions, sightings);
     for (const Sighting& s : sightings) {
       if (s.body < 0) continue;
       const float distance_m = (s.p_W_m - beam_.origin).norm();

@@ -1,6 +1,7 @@
 #include "sim/lens_map.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "base/contracts.h"
 
@@ -67,6 +68,58 @@ LensMap::LensMap(const BuiltCamera& camera, int shrink)
   }
 }
 
+template <int kDepth>
+void LensMap::AlongRows(const std::vector<float>& wide_light, std::vector<float>* between) const {
+  const auto values = static_cast<size_t>(kDepth * width_px_);
+  between->resize(values * static_cast<size_t>(wide_.height_px));
+  const float* from = wide_light.data();
+  const float* x_px = x_px_.data();
+  float* to = between->data();
+  for (int row = 0; row < wide_.height_px; ++row) {
+    for (int u = 0; u < width_px_; ++u) {
+      const int left = static_cast<int>(x_px[u]);
+      const CubicWeights weight(x_px[u] - static_cast<float>(left));
+      const float* here = from + kDepth * (left - 1);
+      for (int c = 0; c < kDepth; ++c) {
+        *to++ = weight.a * here[c] + weight.b * here[kDepth + c] + weight.c * here[2 * kDepth + c] +
+                weight.d * here[3 * kDepth + c];
+      }
+    }
+    from += kDepth * wide_.width_px;
+    x_px += width_px_;
+  }
+}
+
+template <int kDepth>
+void LensMap::AlongColumns(const std::vector<float>& between, std::vector<float>* seen) const {
+  const int stride = kDepth * width_px_;
+  seen->resize(static_cast<size_t>(stride) * static_cast<size_t>(height_px_));
+  std::vector<float> after_1(static_cast<size_t>(stride));  // how far each value lies after the row
+  float* after = after_1.data();                            // above it
+  const float* y_px = y_px_.data();
+  float* to = seen->data();
+  for (int v = 0; v < height_px_; ++v) {
+    // Neighbours take from the same rows, for long stretches: loops that the compiler can pack.
+    for (int u = 0; u < width_px_;) {
+      const int begin = u, above = static_cast<int>(y_px[u]);
+      for (; u < width_px_ && static_cast<int>(y_px[u]) == above; ++u) {
+        for (int c = 0; c < kDepth; ++c) {
+          after[kDepth * u + c] = y_px[u] - static_cast<float>(above);
+        }
+      }
+      const float* first = between.data() + static_cast<ptrdiff_t>(above - 1) * stride;
+#pragma GCC ivdep
+      for (int k = kDepth * begin; k < kDepth * u; ++k) {
+        const CubicWeights weight(after[k]);
+        to[k] = weight.a * first[k] + weight.b * first[stride + k] +
+                weight.c * first[2 * stride + k] + weight.d * first[3 * stride + k];
+      }
+    }
+    y_px += width_px_;
+    to += stride;
+  }
+}
+
 void LensMap::Apply(int channels, const std::vector<float>& wide_light, std::vector<float>* between,
                     std::vector<float>* seen) const {
   const auto values = static_cast<size_t>(channels) * static_cast<size_t>(wide_.width_px) *
@@ -76,56 +129,13 @@ void LensMap::Apply(int channels, const std::vector<float>& wide_light, std::vec
     *seen = wide_light;
     return;
   }
-  AlongRows(channels, wide_light, between);
-  AlongColumns(channels, *between, seen);
-}
-
-void LensMap::AlongRows(int channels, const std::vector<float>& wide_light,
-                        std::vector<float>* between) const {
-  const auto depth = static_cast<size_t>(channels), width = static_cast<size_t>(width_px_);
-  const auto rows = static_cast<size_t>(wide_.height_px);
-  between->resize(depth * width * rows);
-  for (size_t row = 0; row < rows; ++row) {
-    const float* from = wide_light.data() + row * depth * static_cast<size_t>(wide_.width_px);
-    const float* x_px = x_px_.data() + row * width;
-    float* to = between->data() + row * depth * width;
-    for (size_t u = 0; u < width; ++u) {
-      const auto left = static_cast<size_t>(x_px[u]);
-      const CubicWeights weight(x_px[u] - static_cast<float>(left));
-      const float* here = from + depth * (left - 1);
-      for (size_t c = 0; c < depth; ++c) {
-        *to++ = weight.a * here[c] + weight.b * here[depth + c] + weight.c * here[2 * depth + c] +
-                weight.d * here[3 * depth + c];
-      }
-    }
-  }
-}
-
-void LensMap::AlongColumns(int channels, const std::vector<float>& between,
-                           std::vector<float>* seen) const {
-  const auto depth = static_cast<size_t>(channels), width = static_cast<size_t>(width_px_);
-  const size_t stride = depth * width;
-  seen->resize(stride * static_cast<size_t>(height_px_));
-  std::vector<float> after_1(stride);  // how far after the row above each value lies
-  for (size_t v = 0; v < static_cast<size_t>(height_px_); ++v) {
-    const float* y_px = y_px_.data() + v * width;
-    float* to = seen->data() + v * stride;
-    // Neighbours take from the same rows, for long stretches: loops that the compiler can pack.
-    for (size_t u = 0; u < width;) {
-      const size_t begin = u;
-      const auto above = static_cast<size_t>(y_px[u]);
-      for (; u < width && static_cast<size_t>(y_px[u]) == above; ++u) {
-        const float after = y_px[u] - static_cast<float>(above);
-        for (size_t c = 0; c < depth; ++c) after_1[depth * u + c] = after;
-      }
-      const float* first = between.data() + (above - 1) * stride;
-#pragma GCC ivdep
-      for (size_t k = depth * begin; k < depth * u; ++k) {
-        const CubicWeights weight(after_1[k]);
-        to[k] = weight.a * first[k] + weight.b * first[stride + k] +
-                weight.c * first[2 * stride + k] + weight.d * first[3 * stride + k];
-      }
-    }
+  Require(channels == 1 || channels == 3, "LensMap::Apply: a pixel has 1 or 3 values");
+  if (channels == 1) {
+    AlongRows<1>(wide_light, between);
+    AlongColumns<1>(*between, seen);
+  } else {
+    AlongRows<3>(wide_light, between);
+    AlongColumns<3>(*between, seen);
   }
 }
 

@@ -17,16 +17,16 @@ class LensMap {
   LensMap(const BuiltCamera& camera, int shrink);
 
   const geometry::PinholeCamera& wide() const { return wide_; }
-  // From `channels` interleaved values a pixel of the ideal camera to those of the picture. `seen`
-  // and `between` are used again.
+  // From `channels` (1 or 3) interleaved values a pixel of the ideal camera to those of the
+  // picture. The memory of `seen` and `between` is used again.
   void Apply(int channels, const std::vector<float>& wide_light, std::vector<float>* between,
              std::vector<float>* seen) const;
 
  private:
-  void AlongRows(int channels, const std::vector<float>& wide_light,
-                 std::vector<float>* between) const;
-  void AlongColumns(int channels, const std::vector<float>& between,
-                    std::vector<float>* seen) const;
+  template <int kDepth>
+  void AlongRows(const std::vector<float>& wide_light, std::vector<float>* between) const;
+  template <int kDepth>
+  void AlongColumns(const std::vector<float>& between, std::vector<float>* seen) const;
 
   int width_px_, height_px_;  // of the picture
   bool plain_;                // no lens: nothing to be done

@@ -18,7 +18,7 @@ BuiltCamera Barrel(double corner_px) {
   return camera;
 }
 
-// A picture without corners, by ideal pixels; two channels.
+// A picture without corners, by ideal pixels; three channels.
 double Smooth(const Eigen::Vector2d& ideal_px, int channel) {
   return std::sin(0.11 * ideal_px.x() + 0.3 * channel) * std::cos(0.13 * ideal_px.y()) +
          0.02 * ideal_px.x();
@@ -46,7 +46,7 @@ TEST(LensMapTest, EachPixelTakesTheLightThatItsRayMeets) {
   for (const int shrink : {1, 2}) {
     const BuiltCamera camera = Barrel(3.0);
     const LensMap map(camera, shrink);
-    constexpr int kChannels = 2;
+    constexpr int kChannels = 3;
     std::vector<float> light, between, seen;
     for (int v = 0; v < map.wide().height_px; ++v) {
       for (int u = 0; u < map.wide().width_px; ++u) {
