@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr float kReach_sigmas = 4.5F;
-constexpr float kMargin_m = 0.02F;  // for what the pixels' own width adds
+constexpr float kPixelMargin_m = 0.02F;  // for what the pixels' own width adds
 
 // Speckle at a pixel: mean 0, standard deviation 1, correlated between neighbours along the stripe.
 float Speckle(uint64_t seed, int u, int v, bool along_u) {
@@ -86,7 +86,7 @@ float LevelAt(const Scene& scene, const Rays& rays, const Beam& beam, const Sigh
   const float across_m = beam.normal.dot(from_laser) - beam.BowAt(tangent) * ahead_m;
   const float distance_m = from_laser.norm();
   const float sigma_m = beam.SigmaAt(distance_m);
-  if (std::abs(across_m) > kReach_sigmas * sigma_m + kMargin_m) return 0.0F;
+  if (std::abs(across_m) > kReach_sigmas * sigma_m + kPixelMargin_m) return 0.0F;
   const float cosine = -s.normal_W.dot(from_laser) / distance_m;
   if (cosine <= 0.0F) return 0.0F;
   const std::array<Vector3f, 2> steps_m = rays.FootprintAt(s);
@@ -187,9 +187,9 @@ class Marks {
   void Mark(const Sighting& s, float reach_m) {
     constexpr float kMost_px = 40.0F;
     constexpr int kBeside_px = 1;
-    constexpr double kNearest_m = 0.01;
+    constexpr double kTooNear_m = 0.01;
     const Eigen::Vector3d p_C_m = rays_.X_CW * s.p_W_m.cast<double>();
-    if (p_C_m.z() < kNearest_m) return;
+    if (p_C_m.z() < kTooNear_m) return;
     const Eigen::Vector2d pixel_px = rays_.camera.Project(p_C_m);
     if (!(pixel_px.cwiseAbs().maxCoeff() < 1e5)) return;
     const float step_across_m = std::abs(beam_.normal.dot(rays_.FootprintAt(s)[along_u_ ? 1 : 0]));

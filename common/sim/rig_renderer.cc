@@ -44,8 +44,8 @@ LaserFan FanInWorld(const BuiltLaser& laser, const geometry::RigidTransform& X_W
 }
 
 // Adds the laser's light, spread by the lens as BlurByLens spreads a picture's.
-void Spread(const std::vector<LitPixel>& lit, int width_px, int height_px, double blur_1,
-            float share_1, std::vector<float>* signal) {
+void AddSpread(const std::vector<LitPixel>& lit, int width_px, int height_px, double blur_1,
+               float share_1, std::vector<float>* signal) {
   const auto blur = static_cast<float>(blur_1);
   const float weights[3] = {blur, 1.0F - 2.0F * blur, blur};
   for (const LitPixel& pixel : lit) {
@@ -199,8 +199,8 @@ void RigRenderer::AddLaser(size_t laser, const RigPath& path, float share_1, Sig
     }
     kept.X_WT = std::move(X_WT);
   }
-  Spread(kept.lit, camera.ideal.width_px, camera.ideal.height_px, options_.stripe.blur_1,
-         share_1 / static_cast<float>(path.poses.size()), signal);
+  AddSpread(kept.lit, camera.ideal.width_px, camera.ideal.height_px, options_.stripe.blur_1,
+            share_1 / static_cast<float>(path.poses.size()), signal);
 }
 
 Frame RigRenderer::HeadBw(const RigPath& path, const LaserFractions& lasers, int64_t seq,
