@@ -1,5 +1,7 @@
 #include "evaluation/thesis_results.h"
 
+#include <cmath>
+
 namespace geon::evaluation {
 namespace {
 
@@ -82,6 +84,38 @@ constexpr Row kRows[] = {
     {kEllipsoid, 4, 1, {0, 53, 0, 3, 0, 25, 19}},
 };
 
+// Tables 6.8-6.10, rows and columns by GeonLabel.
+struct BenchTable {
+  double range_m;
+  std::array<std::array<int, kGeonLabelCount>, kGeonLabelCount> percent;
+};
+constexpr std::array<BenchTable, 3> kBenchTables = {{
+    {1.0,
+     {{{90, 0, 0, 10, 0, 0, 0},
+       {0, 80, 0, 0, 10, 0, 10},
+       {0, 0, 100, 0, 0, 0, 0},
+       {27, 0, 0, 64, 9, 0, 0},
+       {0, 18, 0, 0, 82, 0, 0},
+       {0, 0, 0, 0, 0, 83, 17},
+       {0, 0, 8, 0, 0, 17, 75}}}},
+    {1.3,
+     {{{80, 10, 0, 10, 0, 0, 0},
+       {0, 80, 0, 0, 20, 0, 0},
+       {0, 0, 100, 0, 0, 0, 0},
+       {9, 0, 0, 73, 18, 0, 0},
+       {0, 9, 0, 0, 82, 9, 0},
+       {0, 0, 0, 0, 0, 75, 25},
+       {0, 0, 8, 0, 8, 17, 67}}}},
+    {1.6,
+     {{{50, 30, 0, 10, 0, 10, 0},
+       {0, 60, 0, 0, 10, 0, 30},
+       {0, 10, 80, 0, 0, 0, 10},
+       {9, 0, 0, 55, 36, 0, 0},
+       {0, 9, 0, 0, 73, 9, 9},
+       {0, 0, 0, 0, 0, 58, 42},
+       {0, 0, 0, 0, 8, 25, 67}}}},
+}};
+
 }  // namespace
 
 std::optional<std::array<int, kGeonLabelCount>> ThesisRow(const Subject& subject) {
@@ -107,6 +141,16 @@ std::optional<std::array<double, kGeonLabelCount>> ThesisMeanRow(
     }
   }
   return mean;
+}
+
+std::optional<std::array<int, kGeonLabelCount>> ThesisBenchRow(double range_m, GeonLabel truth) {
+  constexpr double kSameRange_m = 0.005;
+  for (const BenchTable& table : kBenchTables) {
+    if (std::abs(table.range_m - range_m) < kSameRange_m) {
+      return table.percent[static_cast<size_t>(truth)];
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace geon::evaluation

@@ -24,6 +24,11 @@ std::optional<std::array<int, kGeonLabelCount>> ThesisRow(const Subject& subject
 // one of them.
 std::optional<std::array<double, kGeonLabelCount>> ThesisMeanRow(std::span<const Subject> subjects);
 
+// Tables 6.8-6.10: what the thesis printed on the bench at 1.0, 1.3 and 1.6 m for a geon, in
+// percent, by GeonLabel; nothing for other ranges. About eleven views a geon, hence the round
+// figures.
+std::optional<std::array<int, kGeonLabelCount>> ThesisBenchRow(double range_m, GeonLabel truth);
+
 // Figure 6.11: the lowest and the highest error of a viewing cell, in percent.
 inline constexpr int kThesisLowestError = 3;
 inline constexpr int kThesisHighestError = 30;

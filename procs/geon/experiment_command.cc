@@ -8,6 +8,7 @@ void AddExperimentCommand(CLI::App& app, int* exit_code) {
       "experiment", "Measures, in simulation, what the thesis measured in chapter 6.");
   command->require_subcommand(1);
   AddExperimentShapesCommand(*command, exit_code);
+  AddExperimentBenchCommand(*command, exit_code);
   AddExperimentMergeCommand(*command, exit_code);
   AddExperimentTuneCommand(*command, exit_code);
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "evaluation/confusion.h"
 #include "evaluation/reliability.h"
@@ -27,8 +29,21 @@ std::string ReliabilityFigure(const evaluation::Reliability& reliability);
 // How many were decided, and how many of these were right: a table.
 std::string DecidedTable(const evaluation::Reliability& reliability);
 
-// A card for each of the worst views: its stripes, its answer and the evidence.
-std::string WorstViewFigures(const ShapeRecord& record);
+// A view to be shown, with what was true and said of it. No answer: none was given.
+struct ShownView {
+  const WorstView* view;
+  GeonLabel truth;
+  std::optional<GeonLabel> answer;
+  double confidence_1;
+  bool decided;
+  std::string where;  // which object and from where, for people
+};
+
+// A card for each: the picture if there is one, its stripes, its answer and the evidence.
+std::string WorstViewFigures(std::span<const ShownView> views);
+
+// The worst views of a record.
+std::vector<ShownView> ShownViews(const ShapeRecord& record);
 
 // "87.2 % (95 %: 86.5–87.9)".
 std::string PercentWithInterval(const evaluation::SuccessRate& rate);

@@ -1,6 +1,8 @@
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
+#include "config/text_file.h"
 #include "procs/geon/commands.h"
 #include "procs/geon/experiment_commands.h"
 
@@ -13,22 +15,47 @@ struct MergeArguments {
   bool json = false;
 };
 
-int Merge(const MergeArguments& arguments) {
-  std::vector<ShapeRecord> shards;
-  for (const std::filesystem::path& directory : arguments.shards) {
-    Result<ShapeRecord> shard = LoadRecord(directory / "results.json");
-    if (!shard.ok()) {
-      std::cerr << "geon experiment merge: " << shard.message() << '\n';
-      return kFailed;
-    }
+int FailMerge(const std::string& message) {
+  std::cerr << "geon experiment merge: " << message << '\n';
+  return kFailed;
+}
+
+// What the file says it is, to know how to read it.
+Result<nlohmann::json> LoadResults(const std::filesystem::path& file) {
+  const Result<std::string> text = config::ReadFile(file, size_t{1} << 30U);
+  if (!text.ok()) return text.status();
+  nlohmann::json value = nlohmann::json::parse(*text, nullptr, false);
+  if (!value.is_object()) return Status::Error(file.string() + ": damaged results: no JSON object");
+  return value;
+}
+
+// `Record` is one of the experiments', with its ways to parse and to merge.
+template <typename Record>
+int MergeAs(const std::vector<nlohmann::json>& values, const MergeArguments& arguments,
+            Result<Record> (*parse)(const nlohmann::json&, const std::string&),
+            Result<Record> (*merge)(const std::vector<Record>&)) {
+  std::vector<Record> shards;
+  for (size_t k = 0; k < values.size(); ++k) {
+    Result<Record> shard = parse(values[k], (arguments.shards[k] / "results.json").string());
+    if (!shard.ok()) return FailMerge(shard.message());
     shards.push_back(std::move(*shard));
   }
-  const Result<ShapeRecord> all = MergeRecords(shards);
-  if (!all.ok()) {
-    std::cerr << "geon experiment merge: " << all.message() << '\n';
-    return kFailed;
-  }
+  const Result<Record> all = merge(shards);
+  if (!all.ok()) return FailMerge(all.message());
   return Deliver(*all, 0.0, arguments.json, arguments.output);
+}
+
+int Merge(const MergeArguments& arguments) {
+  std::vector<nlohmann::json> values;
+  for (const std::filesystem::path& directory : arguments.shards) {
+    Result<nlohmann::json> value = LoadResults(directory / "results.json");
+    if (!value.ok()) return FailMerge(value.message());
+    values.push_back(std::move(*value));
+  }
+  if (values.front().value("experiment", "") == kBenchExperiment) {
+    return MergeAs<BenchRecord>(values, arguments, ParseBenchRecord, MergeBenchRecords);
+  }
+  return MergeAs<ShapeRecord>(values, arguments, ParseRecord, MergeRecords);
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ std::string WorstSection(const ShapeRecord& record, const Findings& found) {
          "the target are drawn.</p><p class=\"legend\"><span class=\"key line-key horizontal\" "
          "style=\"margin-left:0\"></span>horizontal stripes<span class=\"key line-key "
          "vertical\"></span>vertical stripes</p>" +
-         WorstViewFigures(record);
+         WorstViewFigures(ShownViews(record));
 }
 
 std::string Body(const ShapeRecord& record, const Findings& found) {

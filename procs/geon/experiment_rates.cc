@@ -15,14 +15,6 @@ using evaluation::ConfusionRow;
 using evaluation::SuccessRate;
 using nlohmann::json;
 
-json RateJson(const SuccessRate& rate, const char* counted = "right") {
-  const evaluation::Interval interval = evaluation::WilsonInterval(rate);
-  return {{counted, rate.right},
-          {"n", rate.n},
-          {"rate", rate.value_1()},
-          {"wilson95", {interval.low_1, interval.high_1}}};
-}
-
 json RowsJson(std::span<const ConfusionRow> rows) {
   json list = json::array();
   for (const ConfusionRow& row : rows) {
@@ -72,6 +64,14 @@ json BinsJson(const evaluation::Reliability& reliability) {
 }
 
 }  // namespace
+
+json RateJson(const SuccessRate& rate, const char* counted) {
+  const evaluation::Interval interval = evaluation::WilsonInterval(rate);
+  return {{counted, rate.right},
+          {"n", rate.n},
+          {"rate", rate.value_1()},
+          {"wilson95", {interval.low_1, interval.high_1}}};
+}
 
 int WholeDegrees(double angle_rad) {
   return static_cast<int>(std::lround(DegreesFromRadians(angle_rad)));

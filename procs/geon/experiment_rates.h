@@ -4,6 +4,7 @@
 #include <span>
 
 #include "evaluation/shape_experiment.h"
+#include "evaluation/success_rate.h"
 
 namespace geon::cli {
 
@@ -13,6 +14,9 @@ namespace geon::cli {
 // `decided` in place of `right`.
 nlohmann::json RatesJson(std::span<const evaluation::Subject> subjects,
                          std::span<const evaluation::ShapeTrial> trials);
+
+// {right, n, rate, wilson95}; `counted` is the first one's name.
+nlohmann::json RateJson(const evaluation::SuccessRate& rate, const char* counted = "right");
 
 // Cells lie at whole degrees.
 int WholeDegrees(double angle_rad);

@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "base/angles.h"
-#include "config/text_file.h"
 #include "evaluation/shape_tables.h"
 #include "procs/geon/experiment_rates.h"
 
@@ -114,13 +113,10 @@ std::string RecordText(const ShapeRecord& record) {
          "\n";
 }
 
-Result<ShapeRecord> LoadRecord(const std::filesystem::path& file) {
-  const Result<std::string> text = config::ReadFile(file, size_t{1} << 30U);
-  if (!text.ok()) return text.status();
+Result<ShapeRecord> ParseRecord(const json& value, const std::string& name) {
   try {
-    const json value = json::parse(*text);
     if (value.at("format") != kFormat || value.at("experiment") != "shapes") {
-      return Status::Error(file.string() + ": not the results of geon experiment shapes");
+      return Status::Error(name + ": not the results of geon experiment shapes");
     }
     ShapeRecord record;
     record.method = value.at("method");
@@ -136,13 +132,13 @@ Result<ShapeRecord> LoadRecord(const std::filesystem::path& file) {
       record.trials.push_back(ParseTrial(trial));
       if (record.trials.back().subject < 0 ||
           static_cast<size_t>(record.trials.back().subject) >= record.subjects.size()) {
-        return Status::Error(file.string() + ": a trial of a subject that is not there");
+        return Status::Error(name + ": a trial of a subject that is not there");
       }
     }
     record.worst = ParseWorst(value, record.subjects, record.trials);
     return record;
   } catch (const std::exception& error) {
-    return Status::Error(file.string() + ": damaged results: " + error.what());
+    return Status::Error(name + ": damaged results: " + error.what());
   }
 }
 
@@ -167,18 +163,6 @@ Result<ShapeRecord> MergeRecords(const std::vector<ShapeRecord>& shards) {
     }
   }
   return all;
-}
-
-Status WriteRecord(const ShapeRecord& record, double seconds,
-                   const std::filesystem::path& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) return Status::Error(directory.string() + ": " + error.message());
-  const Status written =
-      config::WriteFileAtomically(directory / "results.json", RecordText(record));
-  if (!written.ok()) return written;
-  return config::WriteFileAtomically(directory / "timing.json",
-                                     json{{"seconds", seconds}}.dump() + "\n");
 }
 
 std::string RecordTables(const ShapeRecord& record) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -27,15 +26,12 @@ struct ShapeRecord {
 // jobs and shards; therefore "seconds" is null, and the time goes to timing.json beside it.
 std::string RecordText(const ShapeRecord& record);
 
-Result<ShapeRecord> LoadRecord(const std::filesystem::path& file);
+// Errors name `name`, the file.
+Result<ShapeRecord> ParseRecord(const nlohmann::json& value, const std::string& name);
 
 // The trials of all shards together, and the worst views of them all. Errors: other conditions,
 // method, seed or build, or a trial that two of them have.
 Result<ShapeRecord> MergeRecords(const std::vector<ShapeRecord>& shards);
-
-// Writes DIRECTORY/results.json and timing.json, making the directory.
-Status WriteRecord(const ShapeRecord& record, double seconds,
-                   const std::filesystem::path& directory);
 
 // The tables of an experiment as people read them.
 std::string RecordTables(const ShapeRecord& record);

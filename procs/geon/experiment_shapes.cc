@@ -9,7 +9,7 @@ namespace {
 
 void KeepIfWorst(const evaluation::ShapeTrial& trial, GeonLabel truth, const sensor::ScanSet& scan,
                  const sensor::GeonVerdict& verdict, std::vector<WorstView>* worst) {
-  WorstView view{trial.t, trial.answer == truth, trial.confidence, verdict.posterior, {}, {}};
+  WorstView view{trial.t, trial.answer == truth, trial.confidence, verdict.posterior, {}, {}, {}};
   if (!IsAmongWorst(view, *worst)) return;
   view.reasons = verdict.reasons;
   view.stripes = DrawStripes(scan);

@@ -1,10 +1,8 @@
 #include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "config/daemon_arguments.h"
-#include "config/text_file.h"
 #include "procs/geon/commands.h"
 #include "procs/geon/experiment_commands.h"
 #include "procs/geon/experiment_page.h"
@@ -29,24 +27,11 @@ struct ShapesArguments {
   int jobs = 1;
 };
 
-// Two numbers with a sign between them, as in 30:70 and 2/8.
-bool ReadPair(const std::string& text, char sign, int* first, int* second) {
-  const size_t place = text.find(sign);
-  return place != std::string::npos && CLI::detail::lexical_cast(text.substr(0, place), *first) &&
-         CLI::detail::lexical_cast(text.substr(place + 1), *second);
-}
-
 std::string CheckElevation(const std::string& text) {
   int low_deg = 0, high_deg = 0;
-  const bool good = ReadPair(text, ':', &low_deg, &high_deg) && low_deg >= 0 &&
+  const bool good = ReadNumberPair(text, ':', &low_deg, &high_deg) && low_deg >= 0 &&
                     low_deg < high_deg && high_deg <= 90 && low_deg % 10 == 0 && high_deg % 10 == 0;
   return good ? "" : "must be LO:HI, multiples of 10 from 0 to 90, LO below HI";
-}
-
-std::string CheckShard(const std::string& text) {
-  int index = 0, count = 0;
-  const bool good = ReadPair(text, '/', &index, &count) && index >= 1 && index <= count;
-  return good ? "" : "must be i/n, i from 1 to n";
 }
 
 Result<std::vector<ShownObject>> LoadObjects(const ShapesArguments& arguments) {
@@ -92,9 +77,7 @@ int RunShapes(const ShapesArguments& arguments) {
   conditions.faults = stress.faults;
   conditions.faults.noise_px = arguments.noise_px;
   int low_deg = 0, high_deg = 0;
-  ReadPair(arguments.elevation_deg, ':', &low_deg, &high_deg);
-  Shard shard;
-  ReadPair(arguments.shard, '/', &shard.index, &shard.count);
+  ReadNumberPair(arguments.elevation_deg, ':', &low_deg, &high_deg);
 
   ShapeRecord record;
   const recognition::RecognitionOptions options = ToOptions(arguments.recognition);
@@ -109,7 +92,7 @@ int RunShapes(const ShapesArguments& arguments) {
   ShapeRun run = RunShapeTrials(
       *objects, evaluation::ViewingSphere(low_deg, high_deg), conditions,
       [&options](const sensor::ScanSet& scan) { return recognition::RecognizeGeon(scan, options); },
-      shard, arguments.jobs);
+      ParseShard(arguments.shard), arguments.jobs);
   record.trials = std::move(run.trials);
   record.worst = std::move(run.worst);
   const double seconds =
@@ -122,18 +105,8 @@ int RunShapes(const ShapesArguments& arguments) {
 
 int Deliver(const ShapeRecord& record, double seconds, bool json,
             const std::filesystem::path& output) {
-  std::cout << (json ? RecordText(record) : RecordTables(record)) << std::flush;
-  if (output.empty()) return kOk;
-  Status written = WriteRecord(record, seconds, output);
-  if (written.ok()) {
-    written = config::WriteFileAtomically(output / "report.html", ExperimentPage(record));
-  }
-  if (written.ok()) {
-    std::cerr << "geon experiment: wrote " << (output / "report.html").string() << '\n';
-    return kOk;
-  }
-  std::cerr << "geon experiment: " << written.message() << '\n';
-  return kFailed;
+  return DeliverText({RecordText(record), RecordTables(record), ExperimentPage(record)}, seconds,
+                     json, output);
 }
 
 void AddExperimentShapesCommand(CLI::App& experiment, int* exit_code) {
@@ -169,12 +142,7 @@ void AddExperimentShapesCommand(CLI::App& experiment, int* exit_code) {
   command->add_flag("--ortho", arguments->ortho, "parallel rays, no occlusion, as the thesis");
   command->add_flag("--floor", arguments->floor, "on a floor, whose points belong to the scans");
   command->add_option("--seed", arguments->seed, "of the noise")->capture_default_str();
-  command->add_option("--shard", arguments->shard, "i/n: every n-th trial, from the i-th")
-      ->check(CheckShard)
-      ->capture_default_str();
-  command->add_option("--jobs", arguments->jobs, "objects looked at at a time")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  AddSpreadArguments(*command, &arguments->shard, &arguments->jobs);
   command->add_option("-o,--output", arguments->output, "folder for results.json and report.html");
   command->add_flag("--json", arguments->json, "print results.json instead of the tables");
   command->callback([arguments, exit_code] { *exit_code = RunShapes(*arguments); });

@@ -45,6 +45,7 @@ table .number{white-space:nowrap}
 .view-card .posterior .row{grid-template-columns:132px 1fr 52px}
 @media (max-width:1000px){.view-card{grid-template-columns:1fr 1fr}}
 @media (max-width:700px){.view-card{grid-template-columns:1fr}}
+.view-card .seen{grid-column:1/-1;max-width:480px;border-radius:6px}
 .profiles{display:grid;grid-template-columns:repeat(3,1fr);gap:8px}
 .profiles figure{margin:0}.profiles figcaption{font-size:12px;line-height:1.2}
 .profiles svg,.oblique svg{background:#f7f8f8;border-radius:4px}

@@ -113,45 +113,60 @@ std::string ProfilesHtml(const WorstView& view) {
   return html + "</div>";
 }
 
-std::string Heading(GeonLabel truth, GeonLabel answer) {
-  std::string text = WithArticle(truth);
+std::string Heading(const ShownView& shown) {
+  std::string text = WithArticle(shown.truth);
   text[0] = 'A';
-  return text + (truth == answer ? ", rightly named" : ", taken for " + WithArticle(answer));
+  if (!shown.answer) return text + ", without an answer";
+  return text + (shown.truth == *shown.answer ? ", rightly named"
+                                              : ", taken for " + WithArticle(*shown.answer));
 }
 
-std::string Card(size_t number, const WorstView& view, const evaluation::ShapeTrial& trial,
-                 const evaluation::Subject& subject) {
+std::string Card(size_t number, const ShownView& shown) {
+  const WorstView& view = *shown.view;
   sensor::GeonVerdict verdict;
-  verdict.label = trial.answer;
+  verdict.label = shown.answer.value_or(shown.truth);
   verdict.posterior = view.posterior;
-  std::string html =
-      "<article class=\"card view-card\"><h3>" + std::to_string(number) + ". " +
-      Heading(subject.truth, trial.answer) + "</h3><p class=\"muted\">Confidence " +
-      Fixed(100.0 * trial.confidence, 1) + " %, " + (trial.decided ? "decided" : "undecided") +
-      ". Object " + Escape(subject.object) + ", position " + std::to_string(subject.position) +
-      "; camera at elevation " + std::to_string(WholeDegrees(trial.cell.elevation_rad)) +
-      "°, azimuth " + std::to_string(WholeDegrees(trial.cell.azimuth_rad)) + "°; trial " +
-      std::to_string(trial.t) + ".</p><div class=\"oblique\">" + ObliqueSvg(view) + "</div>" +
-      ProfilesHtml(view) + "<div><h4>How probable each shape seemed</h4>" +
-      PosteriorFigure(verdict) +
-      "<h4 style=\"margin-top:12px\">Evidence</h4><ul class=\"reasons\">";
+  std::string html = "<article class=\"card view-card\"><h3>" + std::to_string(number) + ". " +
+                     Heading(shown) + "</h3><p class=\"muted\">";
+  if (shown.answer) {
+    html += "Confidence " + Fixed(100.0 * shown.confidence_1, 1) + " %, " +
+            (shown.decided ? "decided" : "undecided") + ". ";
+  }
+  html += Escape(shown.where) + "; trial " + std::to_string(view.t) + ".</p>";
+  if (!view.picture_uri.empty()) {
+    html += "<img class=\"seen\" alt=\"what the camera saw, the target outlined\" src=\"" +
+            view.picture_uri + "\"/>";
+  }
+  html += "<div class=\"oblique\">" + ObliqueSvg(view) + "</div>" + ProfilesHtml(view) +
+          "<div><h4>How probable each shape seemed</h4>" + PosteriorFigure(verdict) +
+          "<h4 style=\"margin-top:12px\">Evidence</h4><ul class=\"reasons\">";
   for (const std::string& reason : view.reasons) html += "<li>" + Escape(reason) + "</li>";
   return html + "</ul></div></article>";
 }
 
 }  // namespace
 
-std::string WorstViewFigures(const ShapeRecord& record) {
+std::string WorstViewFigures(std::span<const ShownView> views) {
   std::string html = "<div class=\"views\">";
-  for (size_t k = 0; k < record.worst.size(); ++k) {
-    const WorstView& view = record.worst[k];
+  for (size_t k = 0; k < views.size(); ++k) html += Card(k + 1, views[k]);
+  return html + "</div>";
+}
+
+std::vector<ShownView> ShownViews(const ShapeRecord& record) {
+  std::vector<ShownView> shown;
+  for (const WorstView& view : record.worst) {
     const auto trial =
         std::find_if(record.trials.begin(), record.trials.end(),
                      [&view](const evaluation::ShapeTrial& each) { return each.t == view.t; });
     if (trial == record.trials.end()) continue;
-    html += Card(k + 1, view, *trial, record.subjects[static_cast<size_t>(trial->subject)]);
+    const evaluation::Subject& subject = record.subjects[static_cast<size_t>(trial->subject)];
+    shown.push_back({&view, subject.truth, trial->answer, trial->confidence, trial->decided,
+                     "Object " + subject.object + ", position " + std::to_string(subject.position) +
+                         "; camera at elevation " +
+                         std::to_string(WholeDegrees(trial->cell.elevation_rad)) + "°, azimuth " +
+                         std::to_string(WholeDegrees(trial->cell.azimuth_rad)) + "°"});
   }
-  return html + "</div>";
+  return shown;
 }
 
 }  // namespace geon::cli

@@ -117,10 +117,12 @@ nlohmann::json ToJson(const WorstView& view) {
     posterior[std::string(kGeonLabelNames[k])] = view.posterior[k];
   }
   for (const DrawnStripe& stripe : view.stripes) stripes.push_back(StripeJson(stripe));
-  return {{"t", view.t},
-          {"posterior", std::move(posterior)},
-          {"reasons", view.reasons},
-          {"stripes", std::move(stripes)}};
+  nlohmann::json json = {{"t", view.t},
+                         {"posterior", std::move(posterior)},
+                         {"reasons", view.reasons},
+                         {"stripes", std::move(stripes)}};
+  if (!view.picture_uri.empty()) json["picture"] = view.picture_uri;
+  return json;
 }
 
 WorstView ParseWorstView(const nlohmann::json& value) {
@@ -131,6 +133,7 @@ WorstView ParseWorstView(const nlohmann::json& value) {
   }
   view.reasons = value.at("reasons").get<std::vector<std::string>>();
   for (const auto& stripe : value.at("stripes")) view.stripes.push_back(ParseStripe(stripe));
+  view.picture_uri = value.value("picture", "");
   return view;
 }
 

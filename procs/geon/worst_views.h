@@ -28,6 +28,7 @@ struct WorstView {
   std::array<double, kGeonLabelCount> posterior{};
   std::vector<std::string> reasons;
   std::vector<DrawnStripe> stripes;
+  std::string picture_uri;  // what the camera saw, as a data URI; empty: no camera looked
 };
 
 inline constexpr size_t kMostWorstViews = 12;
@@ -43,7 +44,8 @@ bool IsAmongWorst(const WorstView& view, const std::vector<WorstView>& worst);
 std::vector<DrawnStripe> DrawStripes(const sensor::ScanSet& scan);
 
 // {"t":..,"posterior":{..},"reasons":[..],"stripes":[{"laser":..,"fraction":..,
-// "pieces_tenth_mm":[[x,y,z,x,y,z,..],..]}]}. `right` and `confidence_1` are the trial's.
+// "pieces_tenth_mm":[[x,y,z,x,y,z,..],..]}],"picture":".."}, the last only where there is one.
+// `right` and `confidence_1` are the trial's.
 nlohmann::json ToJson(const WorstView& view);
 // Throws what nlohmann::json or std::runtime_error say of damaged ones.
 WorstView ParseWorstView(const nlohmann::json& value);

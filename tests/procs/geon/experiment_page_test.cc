@@ -36,7 +36,7 @@ ShapeRecord Example() {
          0.75,
          t != 0});
   }
-  WorstView view{5, false, 0.75, {0.0, 0.75, 0.25, 0.0, 0.0, 0.0, 0.0}, {"3 < 4 & so on"}, {}};
+  WorstView view{5, false, 0.75, {0.0, 0.75, 0.25, 0.0, 0.0, 0.0, 0.0}, {"3 < 4 & so on"}, {}, {}};
   view.stripes = {{sensor::Laser::kHorizontal, 0.5, {{{-500, 0, 10000}, {500, 0, 10100}}}},
                   {sensor::Laser::kVertical, 0.5, {}}};
   record.worst = {view};

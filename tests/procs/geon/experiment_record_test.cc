@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "base/angles.h"
-#include "config/text_file.h"
 
 namespace geon::cli {
 namespace {
@@ -26,30 +25,23 @@ ShapeRecord Example(int first, int count) {
   }
   for (const evaluation::ShapeTrial& trial : record.trials) {
     const bool right = trial.answer == record.subjects[static_cast<size_t>(trial.subject)].truth;
-    AddWorstView({trial.t, right, trial.confidence, {}, {"because"}, {}}, &record.worst);
+    AddWorstView({trial.t, right, trial.confidence, {}, {"because"}, {}, {}}, &record.worst);
   }
   return record;
 }
 
-class ExperimentRecordTest : public testing::Test {
- protected:
-  ExperimentRecordTest()
-      : folder_(std::filesystem::path(testing::TempDir()) /
-                testing::UnitTest::GetInstance()->current_test_info()->name()) {}
-  ~ExperimentRecordTest() override { std::filesystem::remove_all(folder_); }
-  const std::filesystem::path folder_;
-};
-
-TEST_F(ExperimentRecordTest, IsTheSameAfterWritingAndReading) {
-  const ShapeRecord record = Example(0, 6);
-  ASSERT_TRUE(WriteRecord(record, 1.5, folder_).ok());
-  const Result<ShapeRecord> read = LoadRecord(folder_ / "results.json");
-  ASSERT_TRUE(read.ok()) << read.message();
-  EXPECT_EQ(RecordText(*read), RecordText(record));
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "timing.json"));
+Result<ShapeRecord> Read(const std::string& text) {
+  return ParseRecord(nlohmann::json::parse(text), "results.json");
 }
 
-TEST_F(ExperimentRecordTest, HoldsWhatTheContractAsksFor) {
+TEST(ExperimentRecordTest, IsTheSameAfterWritingAndReading) {
+  const ShapeRecord record = Example(0, 6);
+  const Result<ShapeRecord> read = Read(RecordText(record));
+  ASSERT_TRUE(read.ok()) << read.message();
+  EXPECT_EQ(RecordText(*read), RecordText(record));
+}
+
+TEST(ExperimentRecordTest, HoldsWhatTheContractAsksFor) {
   const auto json = nlohmann::json::parse(RecordText(Example(0, 6)));
   EXPECT_EQ(json.at("format"), "geon.experiment.v1");
   EXPECT_EQ(json.at("experiment"), "shapes");
@@ -66,7 +58,7 @@ TEST_F(ExperimentRecordTest, HoldsWhatTheContractAsksFor) {
   EXPECT_TRUE(json.at("seconds").is_null());
 }
 
-TEST_F(ExperimentRecordTest, HoldsHowFarTheConfidenceIsToBeBelieved) {
+TEST(ExperimentRecordTest, HoldsHowFarTheConfidenceIsToBeBelieved) {
   const auto json = nlohmann::json::parse(RecordText(Example(0, 6)));
   const auto& rates = json.at("rates");
   EXPECT_EQ(rates.at("classes").at("cuboid").at("n"), 3);
@@ -89,7 +81,7 @@ TEST_F(ExperimentRecordTest, HoldsHowFarTheConfidenceIsToBeBelieved) {
   EXPECT_TRUE(rates.at("reliability")[0].at("mean_confidence").is_null());
 }
 
-TEST_F(ExperimentRecordTest, KeepsTheWorstOfAllShards) {
+TEST(ExperimentRecordTest, KeepsTheWorstOfAllShards) {
   const auto joined = MergeRecords({Example(20, 20), Example(0, 20)});
   ASSERT_TRUE(joined.ok()) << joined.message();
   EXPECT_EQ(RecordText(*joined), RecordText(Example(0, 40)));
@@ -97,30 +89,23 @@ TEST_F(ExperimentRecordTest, KeepsTheWorstOfAllShards) {
   EXPECT_EQ(joined->worst.front().t, 1);  // the first ellipsoid called a cuboid
 }
 
-TEST_F(ExperimentRecordTest, RecordsWithoutViewsAreReadToo) {
+TEST(ExperimentRecordTest, RecordsWithoutViewsAreReadToo) {
   auto json = nlohmann::json::parse(RecordText(Example(0, 6)));
   json.erase("worst");
-  std::filesystem::create_directories(folder_);
-  const std::filesystem::path file = folder_ / "results.json";
-  ASSERT_TRUE(config::WriteFileAtomically(file, json.dump()).ok());
-  const auto record = LoadRecord(file);
+  const auto record = Read(json.dump());
   ASSERT_TRUE(record.ok()) << record.message();
   EXPECT_TRUE(record->worst.empty());
   json["worst"] = {{{"t", 99}, {"posterior", {}}, {"reasons", {}}, {"stripes", {}}}};
-  ASSERT_TRUE(config::WriteFileAtomically(file, json.dump()).ok());
-  EXPECT_FALSE(LoadRecord(file).ok());
+  EXPECT_FALSE(Read(json.dump()).ok());
 }
 
-TEST_F(ExperimentRecordTest, ConfidenceBeyondCertaintyIsDamage) {
+TEST(ExperimentRecordTest, ConfidenceBeyondCertaintyIsDamage) {
   auto json = nlohmann::json::parse(RecordText(Example(0, 6)));
   json["trials"][2]["confidence"] = 1.5;
-  std::filesystem::create_directories(folder_);
-  const std::filesystem::path file = folder_ / "results.json";
-  ASSERT_TRUE(config::WriteFileAtomically(file, json.dump()).ok());
-  EXPECT_THAT(LoadRecord(file).message(), testing::HasSubstr("within 0 and 1"));
+  EXPECT_THAT(Read(json.dump()).message(), testing::HasSubstr("within 0 and 1"));
 }
 
-TEST_F(ExperimentRecordTest, ShardsOfDifferentExperimentsAreNotMerged) {
+TEST(ExperimentRecordTest, ShardsOfDifferentExperimentsAreNotMerged) {
   ShapeRecord other = Example(3, 3);
   EXPECT_TRUE(MergeRecords({Example(0, 3), other}).ok());
   other.seed = 4;
@@ -132,12 +117,9 @@ TEST_F(ExperimentRecordTest, ShardsOfDifferentExperimentsAreNotMerged) {
   EXPECT_FALSE(MergeRecords({}).ok());
 }
 
-TEST_F(ExperimentRecordTest, DamagedFilesAreRefusedWithTheirName) {
-  std::filesystem::create_directories(folder_);
-  const std::filesystem::path file = folder_ / "results.json";
-  for (const char* text : {"{", "{}", R"({"format":"geon.experiment.v1","experiment":"shapes"})"}) {
-    ASSERT_TRUE(config::WriteFileAtomically(file, text).ok());
-    const Result<ShapeRecord> read = LoadRecord(file);
+TEST(ExperimentRecordTest, DamagedResultsAreRefusedWithTheirName) {
+  for (const char* text : {"{}", R"({"format":"geon.experiment.v1","experiment":"shapes"})"}) {
+    const Result<ShapeRecord> read = Read(text);
     ASSERT_FALSE(read.ok());
     EXPECT_NE(read.message().find("results.json"), std::string::npos);
   }

@@ -13,7 +13,7 @@ namespace geon::cli {
 namespace {
 
 WorstView View(int t, bool right, double confidence_1) {
-  return {t, right, confidence_1, {}, {}, {}};
+  return {t, right, confidence_1, {}, {}, {}, {}};
 }
 
 std::vector<int> Trials(const std::vector<WorstView>& views) {

@@ -1,0 +1,246 @@
+#include "procs/geon/bench_record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "procs/geon/experiment_rates.h"
+
+namespace geon::cli {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kBenchFormat = "geon.experiment.v1";
+
+json OptionalJson(const std::optional<double>& value) { return value ? json(*value) : json(); }
+
+std::optional<double> ParseOptional(const json& value) {
+  if (value.is_null()) return std::nullopt;
+  return value.get<double>();
+}
+
+json BenchTrialJson(const BenchTrialRecord& trial) {
+  return {{"t", trial.t},
+          {"truth", ToString(trial.subject.truth)},
+          {"object", trial.subject.object},
+          {"position", trial.subject.position},
+          {"range_m", trial.range_m},
+          {"yaw_deg", trial.yaw_deg},
+          {"answer", trial.answer ? json(ToString(*trial.answer)) : json()},
+          {"confidence", trial.confidence},
+          {"decided", trial.decided},
+          {"end", trial.end},
+          {"from_sight_s", OptionalJson(trial.from_sight_s)},
+          {"from_view_s", OptionalJson(trial.from_view_s)},
+          {"misplaced", trial.misplaced_1}};
+}
+
+GeonLabel ParseLabel(const json& value) {
+  return GeonLabelFromString(value.get<std::string>()).value();
+}
+
+BenchTrialRecord ParseBenchTrial(const json& value) {
+  BenchTrialRecord trial;
+  trial.t = value.at("t");
+  trial.subject = {ParseLabel(value.at("truth")), value.at("object"), value.at("position")};
+  trial.range_m = value.at("range_m");
+  trial.yaw_deg = value.at("yaw_deg");
+  if (!value.at("answer").is_null()) trial.answer = ParseLabel(value.at("answer"));
+  trial.confidence = value.at("confidence");
+  trial.decided = value.at("decided");
+  trial.end = value.at("end");
+  trial.from_sight_s = ParseOptional(value.at("from_sight_s"));
+  trial.from_view_s = ParseOptional(value.at("from_view_s"));
+  trial.misplaced_1 = value.at("misplaced").get<std::vector<double>>();
+  return trial;
+}
+
+// A row for each object in each position at each range.
+json BenchCells(const BenchRecord& record) {
+  json cells = json::array();
+  for (const BenchTrialRecord& trial : record.trials) {
+    const auto same = [&](const json& cell) {
+      return cell["truth"] == ToString(trial.subject.truth) &&
+             cell["object"] == trial.subject.object && cell["position"] == trial.subject.position &&
+             cell["range_m"] == trial.range_m;
+    };
+    auto cell = std::find_if(cells.begin(), cells.end(), same);
+    if (cell == cells.end()) {
+      json counts;
+      for (const auto name : kGeonLabelNames) counts[std::string(name)] = 0;
+      cells.push_back({{"truth", ToString(trial.subject.truth)},
+                       {"object", trial.subject.object},
+                       {"position", trial.subject.position},
+                       {"range_m", trial.range_m},
+                       {"n", 0},
+                       {"counts", counts},
+                       {"undecided", 0}});
+      cell = cells.end() - 1;
+    }
+    (*cell)["n"] = (*cell)["n"].get<int>() + 1;
+    if (trial.answer) {
+      json& count = (*cell)["counts"][std::string(ToString(*trial.answer))];
+      count = count.get<int>() + 1;
+    }
+    if (!trial.decided) (*cell)["undecided"] = (*cell)["undecided"].get<int>() + 1;
+  }
+  return cells;
+}
+
+json SpreadJson(std::vector<double> values) {
+  const auto spread = SpreadOf(std::move(values));
+  if (!spread) return nullptr;
+  return {{"p50", spread->p50}, {"p95", spread->p95}, {"max", spread->max}};
+}
+
+json BenchRates(const BenchRecord& record) {
+  json ranges = json::array();
+  evaluation::SuccessRate all;
+  for (const BenchRange& range : BenchRanges(record)) {
+    ranges.push_back(RateJson(range.all));
+    ranges.back()["range_m"] = range.range_m;
+    const auto classes = evaluation::RatesByClass(range.rows);
+    for (size_t r = 0; r < range.rows.size(); ++r) {
+      const auto truth = static_cast<size_t>(range.rows[r].subject.truth);
+      evaluation::SuccessRate rate = classes[truth];
+      rate.n += range.unanswered[r];
+      ranges.back()["classes"][std::string(kGeonLabelNames[truth])] = RateJson(rate);
+    }
+    all.right += range.all.right;
+    all.n += range.all.n;
+  }
+  std::vector<double> from_sight_s, from_view_s;
+  for (const BenchTrialRecord& trial : record.trials) {
+    if (!trial.answer) continue;
+    if (trial.from_sight_s) from_sight_s.push_back(*trial.from_sight_s);
+    if (trial.from_view_s) from_view_s.push_back(*trial.from_view_s);
+  }
+  return {{"all", RateJson(all)},
+          {"ranges", ranges},
+          {"from_sight_s", SpreadJson(std::move(from_sight_s))},
+          {"from_view_s", SpreadJson(std::move(from_view_s))},
+          {"misplaced", SpreadJson(Misplacements(record))}};
+}
+
+}  // namespace
+
+std::optional<Spread> SpreadOf(std::vector<double> values) {
+  if (values.empty()) return std::nullopt;
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share_1) {
+    return values[static_cast<size_t>(std::ceil(share_1 * static_cast<double>(values.size()))) - 1];
+  };
+  return Spread{at(0.5), at(0.95), values.back()};
+}
+
+std::vector<double> Misplacements(const BenchRecord& record) {
+  std::vector<double> all_1;
+  for (const BenchTrialRecord& trial : record.trials) {
+    for (const double misplaced_1 : trial.misplaced_1) all_1.push_back(std::abs(misplaced_1));
+  }
+  return all_1;
+}
+
+std::vector<BenchRange> BenchRanges(const BenchRecord& record) {
+  std::vector<BenchRange> ranges;
+  for (const BenchTrialRecord& trial : record.trials) {
+    const auto at_range = [&](const BenchRange& each) { return each.range_m == trial.range_m; };
+    auto range = std::find_if(ranges.begin(), ranges.end(), at_range);
+    if (range == ranges.end()) {
+      range = ranges.insert(ranges.end(), BenchRange());
+      range->range_m = trial.range_m;
+    }
+    const auto of_truth = [&](const evaluation::ConfusionRow& each) {
+      return each.subject.truth == trial.subject.truth;
+    };
+    auto row = std::find_if(range->rows.begin(), range->rows.end(), of_truth);
+    if (row == range->rows.end()) {
+      row = range->rows.insert(row, evaluation::ConfusionRow());
+      row->subject = {trial.subject.truth, "", 0};
+      range->unanswered.push_back(0);
+    }
+    range->all.Count(trial.right());
+    if (!trial.answer) {
+      ++range->unanswered[static_cast<size_t>(row - range->rows.begin())];
+      continue;
+    }
+    ++row->counts[static_cast<size_t>(*trial.answer)];
+    if (!trial.decided) ++row->undecided;
+  }
+  return ranges;
+}
+
+std::string BenchRecordText(const BenchRecord& record) {
+  json trials = json::array(), worst = json::array();
+  for (const BenchTrialRecord& trial : record.trials) trials.push_back(BenchTrialJson(trial));
+  for (const WorstView& view : record.worst) worst.push_back(ToJson(view));
+  return json{{"format", kBenchFormat},
+              {"experiment", kBenchExperiment},
+              {"method", record.method},
+              {"seed", record.seed},
+              {"git", record.git},
+              {"conditions", record.conditions},
+              {"cells", BenchCells(record)},
+              {"trials", trials},
+              {"worst", worst},
+              {"rates", BenchRates(record)},
+              {"seconds", nullptr}}
+             .dump() +
+         "\n";
+}
+
+Result<BenchRecord> ParseBenchRecord(const json& value, const std::string& name) {
+  try {
+    if (value.at("format") != kBenchFormat || value.at("experiment") != kBenchExperiment) {
+      return Status::Error(name + ": not the results of geon experiment bench");
+    }
+    BenchRecord record;
+    record.method = value.at("method");
+    record.seed = value.at("seed");
+    record.git = value.at("git");
+    record.conditions = value.at("conditions");
+    for (const json& trial : value.at("trials")) record.trials.push_back(ParseBenchTrial(trial));
+    for (const json& each : value.at("worst")) {
+      WorstView view = ParseWorstView(each);
+      const auto trial = std::find_if(
+          record.trials.begin(), record.trials.end(),
+          [&view](const BenchTrialRecord& candidate) { return candidate.t == view.t; });
+      if (trial == record.trials.end()) {
+        throw std::runtime_error("a view of trial " + std::to_string(view.t) +
+                                 ", which is not there");
+      }
+      view.right = trial->right();
+      view.confidence_1 = trial->confidence;
+      AddWorstView(std::move(view), &record.worst);
+    }
+    return record;
+  } catch (const std::exception& error) {
+    return Status::Error(name + ": damaged results: " + error.what());
+  }
+}
+
+Result<BenchRecord> MergeBenchRecords(const std::vector<BenchRecord>& shards) {
+  if (shards.empty()) return Status::Error("nothing to merge");
+  BenchRecord all = shards.front();
+  for (size_t k = 1; k < shards.size(); ++k) {
+    const BenchRecord& shard = shards[k];
+    if (shard.method != all.method || shard.seed != all.seed || shard.git != all.git ||
+        shard.conditions != all.conditions) {
+      return Status::Error("shard " + std::to_string(k + 1) +
+                           " is of another experiment (method, seed, build or conditions differ)");
+    }
+    all.trials.insert(all.trials.end(), shard.trials.begin(), shard.trials.end());
+    for (const WorstView& view : shard.worst) AddWorstView(view, &all.worst);
+  }
+  const auto by_t = [](const BenchTrialRecord& a, const BenchTrialRecord& b) { return a.t < b.t; };
+  std::sort(all.trials.begin(), all.trials.end(), by_t);
+  for (size_t i = 1; i < all.trials.size(); ++i) {
+    if (all.trials[i].t == all.trials[i - 1].t) {
+      return Status::Error("trial " + std::to_string(all.trials[i].t) + " is in two shards");
+    }
+  }
+  return all;
+}
+
+}  // namespace geon::cli

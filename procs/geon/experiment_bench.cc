@@ -1,0 +1,163 @@
+#include "procs/geon/experiment_bench.h"
+
+#include <mutex>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "base/angles.h"
+#include "evaluation/thesis_objects.h"
+#include "evaluation/trial_random.h"
+#include "procs/geon/experiment_objects.h"
+#include "procs/geon/parallel_for.h"
+#include "procs/geon/svg.h"
+
+namespace geon::cli {
+namespace {
+
+struct BenchCase {
+  int t;
+  const BenchObject* object;
+  double range_m;
+  int pose;
+};
+
+std::vector<BenchCase> Cases(const std::vector<BenchObject>& objects, const BenchPlan& plan,
+                             Shard shard) {
+  std::vector<BenchCase> cases;
+  int t = 0;
+  for (const double range_m : plan.ranges_m) {
+    for (const BenchObject& object : objects) {
+      for (int pose = 0; pose < plan.poses; ++pose, ++t) {
+        if (t % shard.count == shard.index - 1) cases.push_back({t, &object, range_m, pose});
+      }
+    }
+  }
+  return cases;
+}
+
+// What the camera saw, the target outlined.
+std::string PictureUri(const lockstep::BenchOutcome& outcome) {
+  if (outcome.view.data.empty()) return "";
+  constexpr int kQuality = 75;
+  const cv::Mat seen(outcome.view.height_px, outcome.view.width_px, CV_8UC3,
+                     const_cast<uint8_t*>(outcome.view.data.data()),
+                     static_cast<size_t>(outcome.view.row_stride_bytes));
+  cv::Mat picture = seen.clone();
+  if (!outcome.mask.empty()) {
+    const cv::Mat mask(picture.rows, picture.cols, CV_8UC1,
+                       const_cast<uint8_t*>(outcome.mask.data()));
+    std::vector<std::vector<cv::Point>> outlines;
+    cv::findContours(mask, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+    cv::drawContours(picture, outlines, -1, cv::Scalar(255, 255, 255), 1);
+  }
+  std::vector<uint8_t> jpeg;
+  cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, kQuality});
+  return DataUri("image/jpeg", jpeg);
+}
+
+struct CaseResult {
+  BenchTrialRecord trial;
+  WorstView view;
+};
+
+std::optional<double> Since(const std::optional<double>& begin_s, double end_s) {
+  if (!begin_s) return std::nullopt;
+  return end_s - *begin_s;
+}
+
+Result<CaseResult> RunCase(const lockstep::LockstepSettings& settings,
+                           const recognizer::StripeCalibration& calibration, const BenchCase& each,
+                           const BenchPlan& plan) {
+  std::mt19937_64 random = evaluation::TrialRandom(plan.seed, static_cast<uint64_t>(each.t));
+  const auto& positions = each.object->positions;
+  const auto& [position, shape] = positions[static_cast<size_t>(each.pose) % positions.size()];
+  lockstep::BenchTrial bench;
+  bench.shape = shape;
+  bench.range_m = each.range_m;
+  bench.yaw_rad = 2.0 * kPi * (each.pose + evaluation::Uniform(random, 0.0, 1.0)) / plan.poses;
+  bench.seed = random();
+  Result<lockstep::BenchOutcome> outcome = lockstep::RunBenchTrial(settings, calibration, bench);
+  if (!outcome.ok()) return outcome.status();
+
+  CaseResult result;
+  BenchTrialRecord& trial = result.trial;
+  trial.t = each.t;
+  trial.subject = {each.object->truth, each.object->name, position};
+  trial.range_m = each.range_m;
+  trial.yaw_deg = DegreesFromRadians(bench.yaw_rad);
+  trial.end = outcome->end;
+  trial.from_sight_s = Since(outcome->seen_s, outcome->end_s);
+  trial.from_view_s = Since(outcome->whole_s, outcome->end_s);
+  trial.misplaced_1 = outcome->misplaced_1;
+  result.view.t = each.t;
+  if (outcome->verdict) {
+    trial.answer = outcome->verdict->label;
+    trial.confidence = outcome->verdict->confidence;
+    trial.decided = outcome->verdict->decided;
+    result.view.posterior = outcome->verdict->posterior;
+    result.view.reasons = outcome->verdict->reasons;
+  }
+  result.view.right = trial.right();
+  result.view.confidence_1 = trial.confidence;
+  if (!trial.right() || trial.confidence < 0.9) {
+    result.view.stripes = DrawStripes(outcome->scan);
+    result.view.picture_uri = PictureUri(*outcome);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<BenchObject> ThesisBenchObjects() {
+  std::vector<BenchObject> objects;
+  for (const evaluation::ExperimentObject& object : evaluation::ThesisObjects()) {
+    BenchObject shown{object.shape.label, object.name, {}};
+    for (const int position : object.positions) {
+      geons::GeonShape shape = object.shape;
+      shape.position = position;
+      shown.positions.emplace_back(position, shape);
+    }
+    objects.push_back(std::move(shown));
+  }
+  return objects;
+}
+
+Result<std::vector<BenchObject>> LoadBenchMeshes(const std::filesystem::path& directory,
+                                                 double largest_m) {
+  const Result<std::vector<ShownObject>> meshes = LoadShownMeshes(directory, largest_m);
+  if (!meshes.ok()) return meshes.status();
+  std::vector<BenchObject> objects;
+  for (const ShownObject& mesh : *meshes) {
+    const evaluation::Subject& subject = mesh.subject;
+    const sim::MeshShape shape{directory / (subject.object + ".obj"),
+                               geons::Bounds(mesh.mesh).sizes().z(), subject.truth};
+    objects.push_back({subject.truth, subject.object, {{subject.position, shape}}});
+  }
+  return objects;
+}
+
+Result<BenchRun> RunBench(const lockstep::LockstepSettings& settings,
+                          const recognizer::StripeCalibration& calibration,
+                          const std::vector<BenchObject>& objects, const BenchPlan& plan,
+                          Shard shard, int jobs, const std::function<void(double)>& progress) {
+  const std::vector<BenchCase> cases = Cases(objects, plan, shard);
+  std::vector<std::optional<Result<CaseResult>>> results(cases.size());
+  std::mutex mutex;
+  size_t done = 0;
+  ParallelFor(jobs, static_cast<int>(cases.size()), [&](int k) {
+    const auto at = static_cast<size_t>(k);
+    results[at] = RunCase(settings, calibration, cases[at], plan);
+    const std::lock_guard lock(mutex);
+    progress(static_cast<double>(++done) / static_cast<double>(cases.size()));
+  });
+  BenchRun run;
+  for (std::optional<Result<CaseResult>>& result : results) {
+    if (!result->ok()) return result->status();
+    run.trials.push_back((*result)->trial);
+    AddWorstView(std::move((*result)->view), &run.worst);
+  }
+  return run;
+}
+
+}  // namespace geon::cli
