@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace geon::attention {
 namespace {
@@ -42,34 +43,67 @@ const std::array<NamedColor, 3>& NamedColors() {
   return kColors;
 }
 
-bool Contains(const HalfSpaceColor& color, const Rgb& pixel) {
-  return std::all_of(color.half_spaces.begin(), color.half_spaces.end(),
-                     [&pixel](const ColorHalfSpace& half_space) {
-                       return half_space.red_1 * pixel.red + half_space.green_1 * pixel.green +
-                                  half_space.blue_1 * pixel.blue >
-                              half_space.threshold_1;
-                     });
+// A region that no half-space bounds would hold every colour.
+std::optional<std::string> ValidateRegions(const std::vector<HalfSpaceColor>& regions) {
+  for (const HalfSpaceColor& region : regions) {
+    if (region.half_spaces.empty()) return "a region has no half-space";
+    for (const ColorHalfSpace& half_space : region.half_spaces) {
+      if (!std::isfinite(half_space.red_1) || !std::isfinite(half_space.green_1) ||
+          !std::isfinite(half_space.blue_1) || !std::isfinite(half_space.threshold_1)) {
+        return "a half-space has a number that is not finite";
+      }
+    }
+  }
+  return std::nullopt;
 }
 
-bool Contains(const ChromaticityColor& color, const Rgb& pixel) {
-  const Yiq yiq = YiqFromRgb(pixel);
-  if (yiq.luminance_1 < color.min_luminance_1 || yiq.luminance_1 <= 0.0) return false;
-  const double i = yiq.in_phase_1 / yiq.luminance_1 - color.mean_i_1;
-  const double q = yiq.quadrature_1 / yiq.luminance_1 - color.mean_q_1;
-  const double squared_distance =
-      color.inverse_ii_1 * i * i + 2.0 * color.inverse_iq_1 * i * q + color.inverse_qq_1 * q * q;
-  return squared_distance <= color.max_distance_1 * color.max_distance_1;
+bool AnyContains(const std::vector<HalfSpaceColor>& regions, const Rgb& pixel) {
+  return std::any_of(regions.begin(), regions.end(),
+                     [&pixel](const HalfSpaceColor& region) { return region.Contains(pixel); });
 }
 
 }  // namespace
 
-bool ColorModel::Contains(const Rgb& pixel) const {
-  return std::visit([&pixel](const auto& kind) { return attention::Contains(kind, pixel); }, color);
+bool HalfSpaceColor::Contains(const Rgb& pixel) const {
+  return std::all_of(
+      half_spaces.begin(), half_spaces.end(),
+      [&pixel](const ColorHalfSpace& half_space) { return half_space.Contains(pixel); });
+}
+
+ColorClass ColorModel::Classify(const Rgb& pixel) const {
+  if (AnyContains(target, pixel)) return ColorClass::kTarget;
+  if (AnyContains(rim, pixel)) return ColorClass::kRim;
+  const int largest = std::max({pixel.red, pixel.green, pixel.blue});
+  const bool cannot_tell = largest < dark_level_1 || largest >= clipped_level_1;
+  return cannot_tell ? ColorClass::kCannotTell : ColorClass::kOther;
+}
+
+std::optional<std::string> ColorModel::Validate() const {
+  if (target.empty()) return "a colour needs at least one region of the target";
+  if (const auto error = ValidateRegions(target)) return error;
+  if (const auto error = ValidateRegions(rim)) return error;
+  if (dark_level_1 < 0 || dark_level_1 > 255) {
+    return "dark_level_1 is " + std::to_string(dark_level_1) + ", must be 0 ... 255";
+  }
+  if (clipped_level_1 <= dark_level_1 || clipped_level_1 > 256) {
+    return "clipped_level_1 is " + std::to_string(clipped_level_1) +
+           ", must be above dark_level_1 and at most 256";
+  }
+  return std::nullopt;
+}
+
+ColorHalfSpace WholeNumbered(const ColorHalfSpace& half_space) {
+  const double sum =
+      std::abs(half_space.red_1) + std::abs(half_space.green_1) + std::abs(half_space.blue_1);
+  if (!(sum > 0.0)) return half_space;
+  const double scale = (128.0 - 3 * 0.5) / sum;  // rounding may add a half to each
+  return {std::round(half_space.red_1 * scale), std::round(half_space.green_1 * scale),
+          std::round(half_space.blue_1 * scale), std::round(half_space.threshold_1 * scale)};
 }
 
 std::optional<ColorModel> NamedColorModel(std::string_view name) {
   for (const NamedColor& color : NamedColors()) {
-    if (color.name == name) return ColorModel{std::string(name), HalfSpaceColor{color.half_spaces}};
+    if (color.name == name) return ColorModel{std::string(name), {{color.half_spaces}}, {}};
   }
   return std::nullopt;
 }

@@ -11,20 +11,6 @@ namespace {
 
 constexpr std::string_view kFormat = "geon.color_model.v1";
 
-struct Field {
-  std::string_view key;
-  double ChromaticityColor::*value;
-};
-constexpr std::array<Field, 7> kFields = {{
-    {"mean_i_1", &ChromaticityColor::mean_i_1},
-    {"mean_q_1", &ChromaticityColor::mean_q_1},
-    {"inverse_ii_1", &ChromaticityColor::inverse_ii_1},
-    {"inverse_iq_1", &ChromaticityColor::inverse_iq_1},
-    {"inverse_qq_1", &ChromaticityColor::inverse_qq_1},
-    {"max_distance_1", &ChromaticityColor::max_distance_1},
-    {"min_luminance_1", &ChromaticityColor::min_luminance_1},
-}};
-
 std::string Text(double number) {
   std::array<char, 40> buffer{};
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
@@ -45,6 +31,13 @@ std::optional<double> Number(std::string_view text) {
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) {
     return std::nullopt;
   }
+  return number;
+}
+
+std::optional<int> WholeNumber(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return number;
 }
 
@@ -87,24 +80,9 @@ class Parser {
 
   Result<ColorModel> Finish() const {
     if (!format_seen_) return Whole("the key format is missing");
-    if (color_name_.empty()) return Whole("the key name is missing");
-    size_t given = 0;
-    for (const bool seen : seen_) given += seen ? 1 : 0;
-    if (given > 0 && !half_spaces_.empty()) {
-      return Whole("a colour is either half_space lines or a learned one, not both");
-    }
-    if (!half_spaces_.empty()) return ColorModel{color_name_, HalfSpaceColor{half_spaces_}};
-    for (size_t i = 0; i < kFields.size(); ++i) {
-      if (!seen_[i]) return Whole("the key " + std::string(kFields[i].key) + " is missing");
-    }
-    const bool is_ellipse = learned_.inverse_ii_1 > 0.0 &&
-                            learned_.inverse_ii_1 * learned_.inverse_qq_1 >
-                                learned_.inverse_iq_1 * learned_.inverse_iq_1 &&
-                            learned_.max_distance_1 > 0.0;
-    if (!is_ellipse) {
-      return Whole("inverse_*_1 must be positive definite and max_distance_1 positive");
-    }
-    return ColorModel{color_name_, learned_};
+    if (model_.name.empty()) return Whole("the key name is missing");
+    if (const auto error = model_.Validate()) return Whole(*error);
+    return model_;
   }
 
  private:
@@ -115,26 +93,36 @@ class Parser {
       return value == kFormat ? Status::Ok() : Error("format must be " + std::string(kFormat));
     }
     if (key == "name") {
-      if (!color_name_.empty()) return Error("duplicate key name");
-      color_name_ = value;
+      if (!model_.name.empty()) return Error("duplicate key name");
+      model_.name = value;
       return value.empty() ? Error("name must not be empty") : Status::Ok();
     }
+    if (key == "region") return UseRegion(value);
     if (key == "half_space") {
       const auto half_space = HalfSpace(value);
       if (!half_space) return Error("half_space must be [red, green, blue, threshold], numbers");
-      half_spaces_.push_back(*half_space);
+      if (region_ == nullptr) return Error("half_space must stand below a region");
+      region_->half_spaces.push_back(*half_space);
       return Status::Ok();
     }
-    for (size_t i = 0; i < kFields.size(); ++i) {
-      if (key != kFields[i].key) continue;
-      if (seen_[i]) return Error("duplicate key " + std::string(key));
-      const auto number = Number(value);
-      if (!number) return Error(std::string(key) + " must be a number");
-      seen_[i] = true;
-      learned_.*kFields[i].value = *number;
-      return Status::Ok();
+    if (key == "dark_level_1") return UseLevel(key, value, &dark_seen_, &model_.dark_level_1);
+    if (key == "clipped_level_1") {
+      return UseLevel(key, value, &clipped_seen_, &model_.clipped_level_1);
     }
     return Error("unknown key " + std::string(key));
+  }
+  Status UseRegion(std::string_view value) {
+    if (value != "target" && value != "rim") return Error("region must be target or rim");
+    region_ = &(value == "target" ? model_.target : model_.rim).emplace_back();
+    return Status::Ok();
+  }
+  Status UseLevel(std::string_view key, std::string_view value, bool* seen, int* level) const {
+    if (*seen) return Error("duplicate key " + std::string(key));
+    *seen = true;
+    const auto number = WholeNumber(value);
+    if (!number) return Error(std::string(key) + " must be a whole number");
+    *level = *number;
+    return Status::Ok();
   }
   Status Error(const std::string& why) const {
     return Status::Error(name_ + ":" + std::to_string(line_) + ": " + why);
@@ -144,11 +132,20 @@ class Parser {
   std::string name_;
   int line_ = 0;
   bool format_seen_ = false;
-  std::string color_name_;
-  std::vector<ColorHalfSpace> half_spaces_;
-  ChromaticityColor learned_;
-  std::array<bool, kFields.size()> seen_{};
+  bool dark_seen_ = false;
+  bool clipped_seen_ = false;
+  ColorModel model_;
+  HalfSpaceColor* region_ = nullptr;  // the one that half_space lines add to
 };
+
+std::string RegionText(std::string_view kind, const HalfSpaceColor& region) {
+  std::string text = "region: " + std::string(kind) + "\n";
+  for (const ColorHalfSpace& half_space : region.half_spaces) {
+    text += "half_space: [" + Text(half_space.red_1) + ", " + Text(half_space.green_1) + ", " +
+            Text(half_space.blue_1) + ", " + Text(half_space.threshold_1) + "]\n";
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -156,16 +153,15 @@ std::string SerializeColorModel(const ColorModel& model, const std::vector<std::
   std::string text;
   for (const std::string& comment : comments) text += "# " + comment + "\n";
   text += "format: " + std::string(kFormat) + "\nname: " + model.name + "\n";
-  if (const auto* learned = std::get_if<ChromaticityColor>(&model.color)) {
-    for (const Field& field : kFields) {
-      text += std::string(field.key) + ": " + Text(learned->*field.value) + "\n";
-    }
-    return text;
+  const ColorModel defaults;
+  if (model.dark_level_1 != defaults.dark_level_1) {
+    text += "dark_level_1: " + std::to_string(model.dark_level_1) + "\n";
   }
-  for (const ColorHalfSpace& half_space : std::get<HalfSpaceColor>(model.color).half_spaces) {
-    text += "half_space: [" + Text(half_space.red_1) + ", " + Text(half_space.green_1) + ", " +
-            Text(half_space.blue_1) + ", " + Text(half_space.threshold_1) + "]\n";
+  if (model.clipped_level_1 != defaults.clipped_level_1) {
+    text += "clipped_level_1: " + std::to_string(model.clipped_level_1) + "\n";
   }
+  for (const HalfSpaceColor& region : model.target) text += RegionText("target", region);
+  for (const HalfSpaceColor& region : model.rim) text += RegionText("rim", region);
   return text;
 }
 

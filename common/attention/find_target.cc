@@ -4,18 +4,20 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "attention/resolve_color.h"
 #include "attention/rgb_image.h"
 
 namespace geon::attention {
 namespace {
 
 cv::Mat SegmentByColor(const RgbImage& image, const ColorModel& model) {
-  cv::Mat mask(image.height_px(), image.width_px(), CV_8UC1);
+  cv::Mat1b classes(image.height_px(), image.width_px());
   for (int v = 0; v < image.height_px(); ++v) {
-    uint8_t* row = mask.ptr<uint8_t>(v);
-    for (int u = 0; u < image.width_px(); ++u) row[u] = model.Contains(image.At(u, v)) ? 255 : 0;
+    for (int u = 0; u < image.width_px(); ++u) {
+      classes(v, u) = static_cast<uint8_t>(model.Classify(image.At(u, v)));
+    }
   }
-  return mask;
+  return ResolveColor(classes);
 }
 
 void Erode(const AttentionOptions& options, cv::Mat* mask) {
@@ -89,6 +91,8 @@ TargetSighting FindTarget(const sensor::Image& image, const ColorModel& model,
                           const AttentionOptions& options) {
   const std::optional<std::string> error = options.Validate();
   Require(!error, "AttentionOptions: " + error.value_or(""));
+  const std::optional<std::string> model_error = model.Validate();
+  Require(!model_error, "ColorModel: " + model_error.value_or(""));
   const RgbImage pixels(image);
 
   TargetSighting sighting;

@@ -51,11 +51,12 @@ struct TargetSighting {
   int clipped_pixels = 0;  // clipped pixels inside its box: light the exposure lost
 };
 
-// Segments the image by colour, erodes, and takes the largest blob.
+// Segments the image by colour, lets the pixels around settle what colour alone does not say
+// (resolve_color.h), erodes, and takes the largest blob.
 //
 // Source: thesis 4.1.2 (binarisation), 4.2.1 (erosion, blob analysis), 4.2.3 (point x).
 // Input: kRgb8 or kBgr8. Throws ContractViolation for other formats, a size that does not fit the
-// data, or bad options.
+// data, bad options or a bad model.
 TargetSighting FindTarget(const sensor::Image& image, const ColorModel& model,
                           const AttentionOptions& options = {});
 

@@ -1,10 +1,12 @@
 #include "attention/learn_color_model.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "attention/rgb_image.h"
 
@@ -126,6 +128,35 @@ Ellipse FitCore(std::vector<const Sample*> core, double noise_floor_1) {
   return ellipse;
 }
 
+// The ellipse as half-spaces through black: a polygon of as large an area, as sums of the equations
+// 4.4-4.6 times Y > 0, and the darkest colour it holds.
+HalfSpaceColor PolygonCone(const Ellipse& ellipse, double reach_1, double min_luminance_1) {
+  constexpr int kSides = 12;
+  constexpr double kHalfSide_rad = std::numbers::pi / kSides;
+  const double apothem_1 =
+      reach_1 * std::sqrt(std::numbers::pi / (kSides * std::tan(kHalfSide_rad)));
+  const Eigen::Matrix2d whitening = ellipse.inverse_1.llt().matrixU();
+  Eigen::Matrix3d yiq_from_rgb;  // columns: what one unit of red, green or blue adds
+  const Rgb units[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int channel = 0; channel < 3; ++channel) {
+    const Yiq yiq = YiqFromRgb(units[channel]);
+    yiq_from_rgb.col(channel) << yiq.luminance_1, yiq.in_phase_1, yiq.quadrature_1;
+  }
+  const Eigen::RowVector3d luminance = yiq_from_rgb.row(0);
+  HalfSpaceColor cone;
+  cone.half_spaces.push_back(
+      WholeNumbered({luminance[0], luminance[1], luminance[2], min_luminance_1}));
+  for (int side = 0; side < kSides; ++side) {
+    const double angle_rad = 2.0 * kHalfSide_rad * side;
+    const Eigen::RowVector2d normal =
+        Eigen::RowVector2d(std::cos(angle_rad), std::sin(angle_rad)) * whitening;
+    const Eigen::RowVector3d plane = (apothem_1 + normal.dot(ellipse.mean_1)) * luminance -
+                                     normal * yiq_from_rgb.bottomRows<2>();
+    cone.half_spaces.push_back(WholeNumbered({plane[0], plane[1], plane[2], 0.0}));
+  }
+  return cone;
+}
+
 struct Rim {
   double reach_1 = 0.0;
   double recall_1 = 0.0;
@@ -240,9 +271,7 @@ Result<LearnedColor> LearnColorModel(const std::vector<TeachingSample>& samples,
   }
 
   LearnedColor learned;
-  learned.model = {name, ChromaticityColor{ellipse.mean_1.x(), ellipse.mean_1.y(),
-                                           ellipse.inverse_1(0, 0), ellipse.inverse_1(0, 1),
-                                           ellipse.inverse_1(1, 1), rim.reach_1, min_luminance_1}};
+  learned.model = {name, {PolygonCone(ellipse, rim.reach_1, min_luminance_1)}, {}};
   TeachingReport& report = learned.report;
   report.target_pixels = lesson.target_pixels;
   report.background_pixels = lesson.background_pixels;

@@ -52,7 +52,8 @@ struct LearnedColor {
 //
 // Source: thesis 4.1.2 picks thresholds by hand from the colour histogram of a taught object; here
 // the rim is found by counting both sides. Deviation: in chrominance over luminance (4.4-4.6), so
-// that the model holds when the light changes in strength. Fails when too few usable pixels are
+// that the model holds when the light changes in strength; the ellipse becomes a cone of planes
+// through black. Fails when too few usable pixels are
 // given, or none of the colour is told apart from the background.
 Result<LearnedColor> LearnColorModel(const std::vector<TeachingSample>& samples,
                                      const std::string& name, const TeachingOptions& options = {});

@@ -3,10 +3,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace geon::attention {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
+
+bool IsTarget(const ColorModel& model, const Rgb& pixel) {
+  return model.Classify(pixel) == ColorClass::kTarget;
+}
 
 ColorModel Named(const std::string& name) { return NamedColorModel(name).value(); }
 
@@ -26,8 +33,8 @@ TEST(ColorModelTest, NamesAreKnownAndOthersAreNot) {
 }
 
 TEST(ColorModelTest, SuperRedExceedsTheOthersByMoreThanTwenty) {
-  EXPECT_FALSE(Named("super-red").Contains({120, 50, 50}));
-  EXPECT_TRUE(Named("super-red").Contains({121, 50, 50}));
+  EXPECT_FALSE(IsTarget(Named("super-red"), {120, 50, 50}));
+  EXPECT_TRUE(IsTarget(Named("super-red"), {121, 50, 50}));
 }
 
 TEST(ColorModelTest, ThesisModelsHoldThePrintedInequalitiesForEveryColor) {
@@ -39,10 +46,10 @@ TEST(ColorModelTest, ThesisModelsHoldThePrintedInequalitiesForEveryColor) {
     for (int g = 0; g < 256; g += 3) {
       for (int b = 0; b < 256; b += 3) {
         const Rgb pixel{static_cast<uint8_t>(r), static_cast<uint8_t>(g), static_cast<uint8_t>(b)};
-        ASSERT_EQ(lab.Contains(pixel), ThesisLab(r, g, b)) << r << " " << g << " " << b;
-        ASSERT_EQ(sun.Contains(pixel), ThesisLabSun(r, g, b)) << r << " " << g << " " << b;
-        in_lab += lab.Contains(pixel) ? 1 : 0;
-        in_sun += sun.Contains(pixel) ? 1 : 0;
+        ASSERT_EQ(IsTarget(lab, pixel), ThesisLab(r, g, b)) << r << " " << g << " " << b;
+        ASSERT_EQ(IsTarget(sun, pixel), ThesisLabSun(r, g, b)) << r << " " << g << " " << b;
+        in_lab += IsTarget(lab, pixel) ? 1 : 0;
+        in_sun += IsTarget(sun, pixel) ? 1 : 0;
       }
     }
   }
@@ -50,16 +57,50 @@ TEST(ColorModelTest, ThesisModelsHoldThePrintedInequalitiesForEveryColor) {
   EXPECT_GT(in_sun, in_lab) << "the region was made larger for sunlight";
 }
 
-TEST(ColorModelTest, ChromaticityModelKeepsItsColorAtAnyBrightnessAboveItsLimit) {
-  const Yiq yiq = YiqFromRgb({200, 50, 50});
-  const ColorModel model{
-      "red", ChromaticityColor{yiq.in_phase_1 / yiq.luminance_1, yiq.quadrature_1 / yiq.luminance_1,
-                               400.0, 0.0, 400.0, 2.0, 20.0}};
-  EXPECT_TRUE(model.Contains({200, 50, 50}));
-  EXPECT_TRUE(model.Contains({100, 25, 25}));
-  EXPECT_FALSE(model.Contains({40, 10, 10})) << "luminance 19";
-  EXPECT_FALSE(model.Contains({200, 100, 50}));
-  EXPECT_FALSE(model.Contains({0, 0, 0}));
+TEST(ColorModelTest, FirstClassThatHoldsCounts) {
+  const ColorModel model{"red",
+                         {{{{1, -1, -1, 20}}}, {{{0, 0, 1, 240}, {-1, 0, 0, -10}}}},
+                         {{{{1, -1, 0, 20}}}},
+                         30,
+                         250};
+  EXPECT_EQ(model.Classify({100, 20, 20}), ColorClass::kTarget);
+  EXPECT_EQ(model.Classify({255, 20, 20}), ColorClass::kTarget) << "clipped, but target";
+  EXPECT_EQ(model.Classify({9, 20, 241}), ColorClass::kTarget) << "the second region";
+  EXPECT_EQ(model.Classify({100, 20, 90}), ColorClass::kRim);
+  EXPECT_EQ(model.Classify({28, 2, 27}), ColorClass::kRim) << "dark, but rim";
+  EXPECT_EQ(model.Classify({29, 29, 29}), ColorClass::kCannotTell);
+  EXPECT_EQ(model.Classify({0, 250, 0}), ColorClass::kCannotTell);
+  EXPECT_EQ(model.Classify({30, 249, 0}), ColorClass::kOther);
+}
+
+TEST(ColorModelTest, BadModelsAreNamed) {
+  const ColorModel good = Named("super-red");
+  EXPECT_EQ(good.Validate(), std::nullopt);
+  const auto error = [](ColorModel model, const auto& spoil) {
+    spoil(model);
+    return model.Validate().value_or("");
+  };
+  EXPECT_THAT(error(good, [](ColorModel& model) { model.target.clear(); }), HasSubstr("at least"));
+  EXPECT_THAT(error(good, [](ColorModel& model) { model.rim.emplace_back(); }),
+              HasSubstr("no half-space"));
+  EXPECT_THAT(error(good, [](ColorModel& model) { model.target[0].half_spaces[0].red_1 = NAN; }),
+              HasSubstr("not finite"));
+  EXPECT_THAT(error(good, [](ColorModel& model) { model.dark_level_1 = 256; }),
+              HasSubstr("dark_level_1 is 256"));
+  EXPECT_THAT(error(good, [](ColorModel& model) { model.clipped_level_1 = 0; }),
+              HasSubstr("clipped_level_1 is 0"));
+}
+
+TEST(ColorModelTest, WholeNumberedPlaneIsNearAndSmall) {
+  const ColorHalfSpace plane{0.31, -1.7, 0.9, 11.0};
+  const ColorHalfSpace whole = WholeNumbered(plane);
+  for (const double number : {whole.red_1, whole.green_1, whole.blue_1, whole.threshold_1}) {
+    EXPECT_EQ(number, std::round(number));
+  }
+  EXPECT_LE(std::abs(whole.red_1) + std::abs(whole.green_1) + std::abs(whole.blue_1), 128.0);
+  EXPECT_NEAR(whole.red_1 / whole.green_1, plane.red_1 / plane.green_1, 0.01);
+  EXPECT_NEAR(whole.blue_1 / whole.green_1, plane.blue_1 / plane.green_1, 0.01);
+  EXPECT_NEAR(whole.threshold_1 / whole.green_1, plane.threshold_1 / plane.green_1, 0.05);
 }
 
 }  // namespace

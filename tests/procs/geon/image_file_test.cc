@@ -61,10 +61,11 @@ TEST_F(ImageFileTest, MaskMustHaveThePicturesSize) {
 
 TEST_F(ImageFileTest, ColorModelIsANameOrAFile) {
   EXPECT_EQ(LoadColorModel("thesis-lab")->name, "thesis-lab");
-  ASSERT_TRUE(config::WriteFileAtomically(
-                  dir_ / "green.yaml",
-                  "format: geon.color_model.v1\nname: green\nhalf_space: [-1, 1, -1, 20]\n")
-                  .ok());
+  ASSERT_TRUE(
+      config::WriteFileAtomically(
+          dir_ / "green.yaml",
+          "format: geon.color_model.v1\nname: green\nregion: target\nhalf_space: [-1, 1, -1, 20]\n")
+          .ok());
   EXPECT_EQ(LoadColorModel((dir_ / "green.yaml").string())->name, "green");
   EXPECT_THAT(LoadColorModel("mauve").message(), HasSubstr("colours: super-red"));
 }
