@@ -1,73 +1,38 @@
 #include "attention/find_target.h"
 
 #include <algorithm>
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
+#include <cstring>
+#include <numeric>
+#include <utility>
 
 #include "attention/resolve_color.h"
-#include "attention/rgb_image.h"
+#include "base/contracts.h"
 
 namespace geon::attention {
 namespace {
 
-cv::Mat SegmentByColor(const RgbImage& image, const ColorModel& model) {
-  cv::Mat1b classes(image.height_px(), image.width_px());
-  for (int v = 0; v < image.height_px(); ++v) {
-    for (int u = 0; u < image.width_px(); ++u) {
-      classes(v, u) = static_cast<uint8_t>(model.Classify(image.At(u, v)));
-    }
+// The groups' numbers, largest blob first; of equal ones the upper left first.
+std::vector<size_t> LargestFirst(const std::vector<Blob>& blobs) {
+  std::vector<size_t> order(blobs.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&blobs](size_t one, size_t other) {
+    return blobs[one].pixels > blobs[other].pixels;
+  });
+  return order;
+}
+
+void Paint(const PixelGroups& groups, int group, int width_px, std::vector<uint8_t>* mask) {
+  for (const PixelRun& run : groups.runs) {
+    if (run.group != group) continue;
+    uint8_t* row = mask->data() + static_cast<size_t>(run.v_px) * static_cast<size_t>(width_px);
+    std::memset(row + run.u_begin_px, 255, static_cast<size_t>(run.u_end_px - run.u_begin_px));
   }
-  return ResolveColor(classes);
 }
 
-void Erode(const AttentionOptions& options, cv::Mat* mask) {
-  const int shape = options.erosion_neighbors == 8 ? cv::MORPH_RECT : cv::MORPH_CROSS;
-  const cv::Mat neighbors = cv::getStructuringElement(shape, {3, 3});
-  // Beyond the border counts as foreground: see AttentionOptions.
-  cv::erode(*mask, *mask, neighbors, {-1, -1}, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
-}
-
-// All blobs, largest first, and for each of them its label in `labels`.
-std::vector<std::pair<Blob, int>> FindBlobs(const cv::Mat& mask, cv::Mat* labels) {
-  cv::Mat statistics;
-  cv::Mat centers;
-  const int count = cv::connectedComponentsWithStats(mask, *labels, statistics, centers, 8, CV_32S);
-  std::vector<std::pair<Blob, int>> blobs;
-  for (int label = 1; label < count; ++label) {
-    const int* box = statistics.ptr<int>(label);
-    const double* center = centers.ptr<double>(label);
-    blobs.push_back({{{box[cv::CC_STAT_LEFT], box[cv::CC_STAT_TOP], box[cv::CC_STAT_WIDTH],
-                       box[cv::CC_STAT_HEIGHT]},
-                      box[cv::CC_STAT_AREA],
-                      {center[0], center[1]}},
-                     label});
-  }
-  std::stable_sort(blobs.begin(), blobs.end(),
-                   [](const auto& a, const auto& b) { return a.first.pixels > b.first.pixels; });
-  return blobs;
-}
-
-// The middle of the target's lowest row of pixels.
-Eigen::Vector2d BottomPoint(const cv::Mat& labels, int label, const sensor::PixelBox& box) {
-  const int v = box.v_px + box.h_px - 1;
-  const int* row = labels.ptr<int>(v);
-  double sum = 0.0;
-  int count = 0;
-  for (int u = box.u_px; u < box.u_px + box.w_px; ++u) {
-    if (row[u] != label) continue;
-    sum += u;
-    ++count;
-  }
-  return {sum / count, static_cast<double>(v)};
-}
-
-int CountClipped(const RgbImage& image, const sensor::PixelBox& box, int clipped_level) {
+int CountInBox(const BitMask& mask, const sensor::PixelBox& box) {
   int count = 0;
   for (int v = box.v_px; v < box.v_px + box.h_px; ++v) {
-    for (int u = box.u_px; u < box.u_px + box.w_px; ++u) {
-      const Rgb pixel = image.At(u, v);
-      if (std::max({pixel.red, pixel.green, pixel.blue}) >= clipped_level) ++count;
-    }
+    count += mask.Count(v, box.u_px, box.u_px + box.w_px);
   }
   return count;
 }
@@ -87,39 +52,44 @@ std::optional<std::string> AttentionOptions::Validate() const {
   return std::nullopt;
 }
 
-TargetSighting FindTarget(const sensor::Image& image, const ColorModel& model,
-                          const AttentionOptions& options) {
+TargetFinder::TargetFinder(ColorModel model, const AttentionOptions& options, SimdLevel level)
+    : options_(options), classifier_(std::move(model), level) {
   const std::optional<std::string> error = options.Validate();
   Require(!error, "AttentionOptions: " + error.value_or(""));
-  const std::optional<std::string> model_error = model.Validate();
-  Require(!model_error, "ColorModel: " + model_error.value_or(""));
-  const RgbImage pixels(image);
+}
 
+TargetSighting TargetFinder::Find(const sensor::Image& image) const {
   TargetSighting sighting;
   sighting.width_px = image.width_px;
   sighting.height_px = image.height_px;
 
-  cv::Mat mask = SegmentByColor(pixels, model);  // 4.1.2
-  sighting.color_pixels = cv::countNonZero(mask);
-  Erode(options, &mask);  // 4.2.1
-  cv::Mat labels;
-  const auto blobs = FindBlobs(mask, &labels);
-  for (const auto& [blob, label] : blobs) sighting.blobs.push_back(blob);
+  PixelClasses classes = classifier_.Classify(image, options_.clipped_level);  // 4.1.2
+  const BitMask lost = std::move(classes.lost);
+  const BitMask colored = ResolveColor(std::move(classes));
+  sighting.color_pixels = colored.Count();
+  const PixelGroups groups = GroupPixels(Erode(colored, options_.erosion_neighbors));  // 4.2.1
+  const std::vector<Blob> blobs = MeasureBlobs(groups);
+  const std::vector<size_t> order = LargestFirst(blobs);
+  sighting.blobs.reserve(blobs.size());
+  for (const size_t group : order) sighting.blobs.push_back(blobs[group]);
 
   sighting.mask.assign(static_cast<size_t>(image.width_px) * static_cast<size_t>(image.height_px),
                        0);
-  if (blobs.empty() || blobs.front().first.pixels < options.min_target_pixels) return sighting;
-  const auto& [target, target_label] = blobs.front();
-  const sensor::PixelBox& box = target.box;
-  sighting.target = target;
-  std::transform(
-      labels.begin<int>(), labels.end<int>(), sighting.mask.begin(),
-      [wanted = target_label](int label) -> uint8_t { return label == wanted ? 255 : 0; });
-  sighting.bottom_px = BottomPoint(labels, target_label, box);
+  if (blobs.empty() || sighting.blobs.front().pixels < options_.min_target_pixels) return sighting;
+  const int target = static_cast<int>(order.front());
+  sighting.target = sighting.blobs.front();
+  const sensor::PixelBox& box = sighting.target->box;
+  Paint(groups, target, image.width_px, &sighting.mask);
+  sighting.bottom_px = BottomPoint(groups, target);
   sighting.touched = {box.u_px == 0, box.u_px + box.w_px == image.width_px, box.v_px == 0,
                       box.v_px + box.h_px == image.height_px};
-  sighting.clipped_pixels = CountClipped(pixels, box, options.clipped_level);
+  sighting.clipped_pixels = CountInBox(lost, box);
   return sighting;
+}
+
+TargetSighting FindTarget(const sensor::Image& image, const ColorModel& model,
+                          const AttentionOptions& options) {
+  return TargetFinder(model, options).Find(image);
 }
 
 }  // namespace geon::attention

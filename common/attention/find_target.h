@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "attention/blobs.h"
+#include "attention/classify_pixels.h"
 #include "attention/color_model.h"
 #include "sensor/image.h"
 
@@ -24,13 +26,6 @@ struct AttentionOptions {
   std::optional<std::string> Validate() const;
 };
 
-// A group of connected (8-neighbour) pixels of the target's colour, after erosion.
-struct Blob {
-  sensor::PixelBox box;
-  int pixels = 0;
-  Eigen::Vector2d center_px = Eigen::Vector2d::Zero();  // centre of gravity (u, v)
-};
-
 struct TouchedEdges {
   bool left = false, right = false, top = false, bottom = false;
   bool any() const { return left || right || top || bottom; }
@@ -40,7 +35,7 @@ struct TouchedEdges {
 struct TargetSighting {
   int width_px = 0;
   int height_px = 0;
-  std::vector<Blob> blobs;  // largest first
+  std::vector<Blob> blobs;  // of the target's colour, after erosion, largest first
   int color_pixels = 0;     // of the target's colour, before erosion
 
   // Largest blob of at least min_target_pixels; the rest below is about it, and empty without it.
@@ -51,12 +46,26 @@ struct TargetSighting {
   int clipped_pixels = 0;  // clipped pixels inside its box: light the exposure lost
 };
 
-// Segments the image by colour, lets the pixels around settle what colour alone does not say
+// Segments images by colour, lets the pixels around settle what colour alone does not say
 // (resolve_color.h), erodes, and takes the largest blob.
 //
 // Source: thesis 4.1.2 (binarisation), 4.2.1 (erosion, blob analysis), 4.2.3 (point x).
-// Input: kRgb8 or kBgr8. Throws ContractViolation for other formats, a size that does not fit the
-// data, bad options or a bad model.
+class TargetFinder {
+ public:
+  // Throws ContractViolation for bad options or a bad model. `level` is for comparisons.
+  TargetFinder(ColorModel model, const AttentionOptions& options,
+               SimdLevel level = SimdLevels().back());
+
+  // Input: kRgb8 or kBgr8. Throws ContractViolation for other formats and for a size that does not
+  // fit the data.
+  TargetSighting Find(const sensor::Image& image) const;
+
+ private:
+  AttentionOptions options_;
+  PixelClassifier classifier_;
+};
+
+// The same for one image.
 TargetSighting FindTarget(const sensor::Image& image, const ColorModel& model,
                           const AttentionOptions& options = {});
 

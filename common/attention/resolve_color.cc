@@ -1,65 +1,68 @@
 #include "attention/resolve_color.h"
 
-#include <opencv2/imgproc.hpp>
-#include <vector>
+#include <utility>
 
-#include "attention/color_model.h"
+#include "attention/pixel_groups.h"
 
 namespace geon::attention {
 namespace {
 
-cv::Mat1b MaskOf(const cv::Mat1b& classes, ColorClass wanted) {
-  cv::Mat1b mask;
-  cv::compare(classes, static_cast<int>(wanted), mask, cv::CMP_EQ);
-  return mask;
+BitMask Either(BitMask one, const BitMask& other) {
+  for (int v = 0; v < one.height_px(); ++v) {
+    for (int word = 0; word < one.words(); ++word) one.row(v)[word] |= other.row(v)[word];
+  }
+  return one;
 }
 
-void TakeRim(const cv::Mat1b& rim, cv::Mat1b* target) {
-  cv::Mat1b either;
-  cv::bitwise_or(rim, *target, either);
-  cv::Mat1i labels;
-  const int count = cv::connectedComponents(either, labels, 8, CV_32S);
-  std::vector<bool> taken(static_cast<size_t>(count), false);
-  for (int v = 0; v < labels.rows; ++v) {
-    for (int u = 0; u < labels.cols; ++u) {
-      if ((*target)(v, u) != 0) taken[static_cast<size_t>(labels(v, u))] = true;
-    }
-  }
-  for (int v = 0; v < labels.rows; ++v) {
-    for (int u = 0; u < labels.cols; ++u) {
-      if (taken[static_cast<size_t>(labels(v, u))]) (*target)(v, u) = 255;
-    }
+template <typename Wanted>
+void TakeGroups(const PixelGroups& groups, const Wanted& wanted, BitMask* target) {
+  for (const PixelRun& run : groups.runs) {
+    if (wanted(static_cast<size_t>(run.group))) target->Set(run.v_px, run.u_begin_px, run.u_end_px);
   }
 }
 
-void TakeGroups(const cv::Mat1b& cannot_tell, cv::Mat1b* target) {
-  cv::Mat1i labels;
-  const int count = cv::connectedComponents(cannot_tell, labels, 8, CV_32S);
-  std::vector<int> balance(static_cast<size_t>(count), 0);  // sides on target less sides on others
-  for (int v = 0; v < labels.rows; ++v) {
-    for (int u = 0; u < labels.cols; ++u) {
-      if (labels(v, u) == 0) continue;
-      const cv::Point around[] = {{u - 1, v}, {u + 1, v}, {u, v - 1}, {u, v + 1}};
-      for (const cv::Point& side : around) {
-        if (side.x < 0 || side.y < 0 || side.x >= labels.cols || side.y >= labels.rows) continue;
-        if (labels(side) != 0) continue;
-        balance[static_cast<size_t>(labels(v, u))] += (*target)(side) != 0 ? 1 : -1;
-      }
+void TakeRim(const BitMask& rim, BitMask* target) {
+  const PixelGroups groups = GroupPixels(Either(rim, *target));
+  std::vector<bool> holds_target(static_cast<size_t>(groups.count), false);
+  for (const PixelRun& run : groups.runs) {
+    if (target->Count(run.v_px, run.u_begin_px, run.u_end_px) > 0) {
+      holds_target[static_cast<size_t>(run.group)] = true;
     }
   }
-  for (int v = 0; v < labels.rows; ++v) {
-    for (int u = 0; u < labels.cols; ++u) {
-      if (balance[static_cast<size_t>(labels(v, u))] > 0) (*target)(v, u) = 255;
-    }
+  TakeGroups(
+      groups, [&](size_t group) { return holds_target[group]; }, target);
+}
+
+// Sides of a run on target pixels less those on others; pixels of `group_mask` are its own group's.
+int ContourBalance(const PixelRun& run, const BitMask& group_mask, const BitMask& target) {
+  int balance = 0;
+  if (run.u_begin_px > 0) balance += target.At(run.u_begin_px - 1, run.v_px) ? 1 : -1;
+  if (run.u_end_px < target.width_px()) balance += target.At(run.u_end_px, run.v_px) ? 1 : -1;
+  for (const int v : {run.v_px - 1, run.v_px + 1}) {
+    if (v < 0 || v >= target.height_px()) continue;
+    const int sides =
+        run.u_end_px - run.u_begin_px - group_mask.Count(v, run.u_begin_px, run.u_end_px);
+    balance += 2 * target.Count(v, run.u_begin_px, run.u_end_px) - sides;
   }
+  return balance;
+}
+
+void TakeCannotTell(const BitMask& cannot_tell, BitMask* target) {
+  const PixelGroups groups = GroupPixels(cannot_tell);
+  std::vector<int> balance(static_cast<size_t>(groups.count), 0);
+  for (const PixelRun& run : groups.runs) {
+    balance[static_cast<size_t>(run.group)] += ContourBalance(run, cannot_tell, *target);
+  }
+  TakeGroups(
+      groups, [&](size_t group) { return balance[group] > 0; }, target);
 }
 
 }  // namespace
 
-cv::Mat1b ResolveColor(const cv::Mat1b& classes) {
-  cv::Mat1b target = MaskOf(classes, ColorClass::kTarget);
-  TakeRim(MaskOf(classes, ColorClass::kRim), &target);
-  TakeGroups(MaskOf(classes, ColorClass::kCannotTell), &target);
+BitMask ResolveColor(PixelClasses classes) {
+  BitMask target = std::move(classes.target);
+  if (classes.rim.Any()) TakeRim(classes.rim, &target);
+  if (classes.cannot_tell.Any()) TakeCannotTell(classes.cannot_tell, &target);
   return target;
 }
 

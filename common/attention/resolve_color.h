@@ -1,6 +1,7 @@
 #pragma once
 
-#include <opencv2/core.hpp>
+#include "attention/bit_mask.h"
+#include "attention/classify_pixels.h"
 
 namespace geon::attention {
 
@@ -14,7 +15,6 @@ namespace geon::attention {
 // no part of it. One pass in this order: a filled group makes no more rim target.
 //
 // Source: own rules; the thesis takes every pixel by its colour alone (4.1.2).
-// `classes`: ColorClass as CV_8U. Returns 255 on the target, else 0.
-cv::Mat1b ResolveColor(const cv::Mat1b& classes);
+BitMask ResolveColor(PixelClasses classes);
 
 }  // namespace geon::attention

@@ -26,7 +26,11 @@ cv::Mat AsBgr(const sensor::Image& image) {
 }  // namespace
 
 Eyes::Eyes(const SeeingOptions& options, const geometry::SensorRig& rig)
-    : options_(options), rig_(rig), floor_model_(options.floor_model) {
+    : options_(options),
+      rig_(rig),
+      head_finder_(options.target_color, options.head),
+      floor_finder_(options.target_color, options.floor),
+      floor_model_(options.floor_model) {
   std::string error;
   Require(options.IsValid(&error), error);
 }
@@ -46,7 +50,7 @@ std::optional<HeadSighting> Eyes::LookHead(const PoseHistory& history) {
   sighting.head = head->head;
   sighting.still = head->still;
   sighting.X_WR = *X_WR;
-  sighting.seen = attention::FindTarget(sighting.image, options_.target_color, options_.head);
+  sighting.seen = head_finder_.Find(sighting.image);
   return sighting;
 }
 
@@ -67,7 +71,7 @@ std::optional<FloorSighting> Eyes::LookFloor(const PoseHistory& history, bool pa
   sighting.columns =
       navigation::FloorObstacles(navigation::NotFloorMask(bgr, floor_model_), rig_.floor_camera,
                                  rig_.X_RF, options_.floor_obstacles);
-  sighting.seen = attention::FindTarget(image, options_.target_color, options_.floor);
+  sighting.seen = floor_finder_.Find(image);
   return sighting;
 }
 

@@ -50,6 +50,8 @@ class Eyes {
  private:
   SeeingOptions options_;
   geometry::SensorRig rig_;
+  attention::TargetFinder head_finder_;
+  attention::TargetFinder floor_finder_;
   navigation::FloorModel floor_model_;
   bool floor_learned_ = false;
   std::optional<sensor::Image> head_image_;

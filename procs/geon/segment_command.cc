@@ -51,14 +51,11 @@ void Tell(const std::string& file, const attention::TargetSighting& sighting) {
             << (sighting.touched.any() ? ", leaves the image" : "") << "\n";
 }
 
-Status SegmentOne(const SegmentArguments& arguments, const attention::ColorModel& model,
+Status SegmentOne(const SegmentArguments& arguments, const attention::TargetFinder& finder,
                   const std::string& file) {
   const Result<sensor::Image> image = LoadImage(file);
   if (!image.ok()) return image.status();
-  attention::AttentionOptions options;
-  options.erosion_neighbors = arguments.erosion_neighbors;
-  options.min_target_pixels = arguments.min_pixels;
-  const attention::TargetSighting sighting = attention::FindTarget(*image, model, options);
+  const attention::TargetSighting sighting = finder.Find(*image);
   if (!arguments.mask_dir.empty()) {
     const std::string name = std::filesystem::path(file).stem().string() + "_mask.png";
     const Status saved = SaveGrayPng(std::filesystem::path(arguments.mask_dir) / name,
@@ -101,9 +98,13 @@ int Segment(const SegmentArguments& arguments) {
     std::cerr << "geon segment: " << names.message() << "\n";
     return kFailed;
   }
+  attention::AttentionOptions options;
+  options.erosion_neighbors = arguments.erosion_neighbors;
+  options.min_target_pixels = arguments.min_pixels;
+  const attention::TargetFinder finder(*model, options);
   int exit_code = kOk;
   for (const std::string& file : arguments.images) {
-    const Status status = SegmentOne(arguments, *model, file);
+    const Status status = SegmentOne(arguments, finder, file);
     if (status.ok()) continue;
     std::cerr << "geon segment: " << status.message() << "\n";
     exit_code = kFailed;

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "base/contracts.h"
+#include "tests/common/attention/naive_segmentation.h"
 
 namespace geon::attention {
 namespace {
@@ -122,6 +124,43 @@ TEST(FindTargetTest, ClippedPixelsAreCountedInsideTheBoxOnly) {
                                     .Paint({25, 35, 4, 2}, {255, 250, 251})
                                     .Paint({80, 10, 5, 5}, {255, 255, 255}));
   EXPECT_EQ(sighting.clipped_pixels, 8);
+}
+
+TEST(FindTargetTest, RandomPicturesAreSegmentedAsPixelByPixel) {
+  std::mt19937 random(5);
+  int targets = 0;
+  for (int k = 0; k < 60; ++k) {
+    const int width = 1 + static_cast<int>(random() % 150);
+    const int height = 1 + static_cast<int>(random() % 40);
+    const ColorModel model = RandomModel(k % 2 == 0, random);
+    AttentionOptions options;
+    options.erosion_neighbors = k % 3 == 0 ? 4 : 8;
+    options.min_target_pixels = 1;
+    const auto format = k % 2 == 0 ? sensor::PixelFormat::kRgb8 : sensor::PixelFormat::kBgr8;
+    const sensor::Image image = RandomImage(width, height, format, random);
+    NaiveSegmentation naive = SegmentNaively(image, model, options.erosion_neighbors);
+    std::stable_sort(naive.blobs.begin(), naive.blobs.end(), [](const auto& a, const auto& b) {
+      return a.pixels.size() > b.pixels.size();
+    });
+    const TargetSighting sighting = TargetFinder(model, options).Find(image);
+    EXPECT_EQ(sighting.color_pixels, std::count(naive.target.begin(), naive.target.end(), true));
+    ASSERT_EQ(sighting.blobs.size(), naive.blobs.size());
+    ASSERT_EQ(sighting.target.has_value(), !naive.blobs.empty());
+    std::vector<uint8_t> mask(static_cast<size_t>(width * height), 0);
+    if (sighting.target) {
+      ++targets;
+      for (const auto& [u, v] : naive.blobs[0].pixels)
+        mask[static_cast<size_t>(v * width + u)] = 255;
+    }
+    EXPECT_EQ(sighting.mask, mask) << k;
+    for (size_t i = 0; i < naive.blobs.size(); ++i) {
+      const auto& pixels = naive.blobs[i].pixels;
+      EXPECT_EQ(sighting.blobs[i].pixels, static_cast<int>(pixels.size()));
+      EXPECT_EQ(sighting.blobs[i].box.v_px, pixels.front().second);
+      EXPECT_EQ(sighting.blobs[i].box.v_px + sighting.blobs[i].box.h_px - 1, pixels.back().second);
+    }
+  }
+  EXPECT_GT(targets, 20);
 }
 
 TEST(FindTargetTest, BrokenContractsThrow) {

@@ -2,25 +2,26 @@
 
 #include <gtest/gtest.h>
 
-#include "attention/color_model.h"
-
 namespace geon::attention {
 namespace {
 
 // One letter a pixel: '.' other, 't' target, 'r' rim, '?' cannot tell; the answer has '#' on the
 // target.
 std::string Resolved(const std::vector<std::string>& rows) {
-  cv::Mat1b classes(static_cast<int>(rows.size()), static_cast<int>(rows[0].size()));
-  for (int v = 0; v < classes.rows; ++v) {
-    for (int u = 0; u < classes.cols; ++u) {
+  const BitMask empty(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
+  PixelClasses classes = {empty, empty, empty, empty};
+  for (int v = 0; v < empty.height_px(); ++v) {
+    for (int u = 0; u < empty.width_px(); ++u) {
       const char letter = rows[static_cast<size_t>(v)][static_cast<size_t>(u)];
-      classes(v, u) = static_cast<uint8_t>(std::string(".tr?").find(letter));
+      if (letter == 't') classes.target.Set(v, u, u + 1);
+      if (letter == 'r') classes.rim.Set(v, u, u + 1);
+      if (letter == '?') classes.cannot_tell.Set(v, u, u + 1);
     }
   }
-  const cv::Mat1b target = ResolveColor(classes);
+  const BitMask target = ResolveColor(classes);
   std::string text;
-  for (int v = 0; v < target.rows; ++v) {
-    for (int u = 0; u < target.cols; ++u) text += target(v, u) != 0 ? '#' : '.';
+  for (int v = 0; v < target.height_px(); ++v) {
+    for (int u = 0; u < target.width_px(); ++u) text += target.At(u, v) ? '#' : '.';
     text += '\n';
   }
   return text;
