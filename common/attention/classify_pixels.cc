@@ -78,6 +78,7 @@ PixelClassifier::PixelClassifier(ColorModel model, SimdLevel level)
 }
 
 PixelClasses PixelClassifier::Classify(const sensor::Image& image, int lost_level) const {
+  Require(lost_level >= 1 && lost_level <= 255, "lost_level", lost_level, "must be 1 ... 255");
   const RgbImage pixels(image);
   const bool red_is_first = image.format == sensor::PixelFormat::kRgb8;
   const RowTests tests = {target_.data(),      static_cast<int>(target_.size()),
@@ -85,10 +86,14 @@ PixelClasses PixelClassifier::Classify(const sensor::Image& image, int lost_leve
                           model_.dark_level_1, model_.clipped_level_1,
                           lost_level};
   const ClassifyRowFunction classify_row = FunctionOf(level_);
-  const BitMask empty(image.width_px, image.height_px);
-  PixelClasses classes = {empty, empty, empty, empty};
-  const int words = empty.words();
+  const auto empty = [&image] { return BitMask(image.width_px, image.height_px); };
+  PixelClasses classes = {empty(), empty(), empty(), empty()};
+  const int words = classes.target.words();
   std::vector<uint64_t> doubt(static_cast<size_t>(words));
+  // Without rim, levels and doubt the bits stand as they are, but for those beyond the width.
+  const bool plain = rim_.empty() && model_.dark_level_1 == 0 && model_.clipped_level_1 == 256 &&
+                     std::none_of(target_.begin(), target_.end(),
+                                  [](const RegionTest& region) { return region.doubtful; });
   const int whole_words = image.width_px / 64;
   std::array<uint8_t, kWordBytes> rest{};  // the pixels of the last word, if it is not whole
   for (int v = 0; v < image.height_px; ++v) {
@@ -105,8 +110,8 @@ PixelClasses PixelClassifier::Classify(const sensor::Image& image, int lost_leve
                             bits.doubt + whole_words};
       classify_row(rest.data(), red_is_first, 1, tests, last);
     }
-    for (int word = 0; word < words; ++word) {
-      const uint64_t within = empty.Within(word);
+    for (int word = plain ? words - 1 : 0; word < words; ++word) {
+      const uint64_t within = classes.target.Within(word);
       SettleDoubt(model_, pixels, v, word, bits.doubt[word] & within, bits);
       bits.target[word] &= within;
       bits.rim[word] &= within & ~bits.target[word];

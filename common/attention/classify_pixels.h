@@ -35,7 +35,7 @@ class PixelClassifier {
   // none of SimdLevels().
   explicit PixelClassifier(ColorModel model, SimdLevel level = SimdLevels().back());
 
-  // `lost_level`: see PixelClasses::lost, 1 ... 256. Images as RgbImage takes them.
+  // `lost_level`: see PixelClasses::lost, 1 ... 255. Images as RgbImage takes them.
   PixelClasses Classify(const sensor::Image& image, int lost_level) const;
 
  private:

@@ -2,6 +2,8 @@
 // gets.
 #include "attention/classify_row.h"
 
+#include <bit>
+#include <cstring>
 #include <opencv2/core/simd_intrinsics.hpp>
 #include <utility>
 
@@ -30,24 +32,24 @@ v_uint8 AtMost(const v_uint8& level, uint8_t high) {
   return cv::v_min(level, cv::vx_setall_u8(high)) == level;
 }
 
-// Some pixels' channels, as bytes and widened to 16 bits. To split them by even and odd places
-// costs less than to keep their order.
+// The channels red, green, blue of some pixels.
 struct Pixels {
-  v_uint8 bytes[3];  // red, green, blue
-  v_int16 even[3];
-  v_int16 odd[3];
+  v_uint8 bytes[3];
 };
 
 CV_ALWAYS_INLINE Pixels Load(const uint8_t* data, bool red_is_first) {
   Pixels pixels;
   cv::v_load_deinterleave(data, pixels.bytes[0], pixels.bytes[1], pixels.bytes[2]);
   if (!red_is_first) std::swap(pixels.bytes[0], pixels.bytes[2]);
-  for (int channel = 0; channel < 3; ++channel) {
-    const auto pairs = cv::v_reinterpret_as_u16(pixels.bytes[channel]);
-    pixels.even[channel] = cv::v_reinterpret_as_s16(pairs & cv::vx_setall_u16(0xff));
-    pixels.odd[channel] = cv::v_reinterpret_as_s16(pairs >> 8);
-  }
   return pixels;
+}
+
+// Bytes widened to 16 bits: those at even and at odd places, which costs less than their order.
+v_int16 EvenOf(const v_uint8& bytes) {
+  return cv::v_reinterpret_as_s16(cv::v_reinterpret_as_u16(bytes) & cv::vx_setall_u16(0xff));
+}
+v_int16 OddOf(const v_uint8& bytes) {
+  return cv::v_reinterpret_as_s16(cv::v_reinterpret_as_u16(bytes) >> 8);
 }
 
 v_int16 Sum(const v_int16 (&channels)[3], const PlaneTest& plane) {
@@ -78,14 +80,18 @@ CV_ALWAYS_INLINE Verdict InRegion(const Pixels& pixels, const RegionTest& region
     }
     if (!cv::v_check_any(bounded)) return {};
   }
+  const v_int16 even_channels[3] = {EvenOf(pixels.bytes[0]), EvenOf(pixels.bytes[1]),
+                                    EvenOf(pixels.bytes[2])};
+  const v_int16 odd_channels[3] = {OddOf(pixels.bytes[0]), OddOf(pixels.bytes[1]),
+                                   OddOf(pixels.bytes[2])};
   v_int16 even = cv::v_reinterpret_as_s16(bounded);  // of these, Join takes the bytes it should
   v_int16 odd = even;
   v_int16 sure_even = even;
   v_int16 sure_odd = even;
   for (size_t i = 0; i < region.planes.size(); ++i) {
     const PlaneTest& plane = region.planes[i];
-    const v_int16 even_sum = Sum(pixels.even, plane);
-    const v_int16 odd_sum = Sum(pixels.odd, plane);
+    const v_int16 even_sum = Sum(even_channels, plane);
+    const v_int16 odd_sum = Sum(odd_channels, plane);
     const v_int16 maybe = cv::vx_setall_s16(plane.maybe);
     even = even & (even_sum > maybe);
     odd = odd & (odd_sum > maybe);
@@ -117,32 +123,39 @@ v_uint8 Outside(const v_uint8& level, int dark_level, int clipped_level) {
   return outside;
 }
 
+// The bits of the block-th kLanes pixels of a row.
+void Store(uint64_t block_bits, int block, uint64_t* row) {
+  static_assert(std::endian::native == std::endian::little);
+  std::memcpy(reinterpret_cast<uint8_t*>(row) + block * (kLanes / 8), &block_bits, kLanes / 8);
+}
+
 }  // namespace
 
-void GEON_CLASSIFY_ROW(const uint8_t* data, bool red_is_first, int words, const RowTests& tests,
-                       const RowBits& bits) {
-  for (int word = 0; word < words; ++word) {
-    Verdict target, rim;
-    uint64_t cannot_tell = 0;
-    uint64_t lost = 0;
-    for (int place = 0; place < 64; place += kLanes, data += 3 * kLanes) {
-      const Pixels pixels = Load(data, red_is_first);
-      const v_uint8 largest =
-          cv::v_max(pixels.bytes[0], cv::v_max(pixels.bytes[1], pixels.bytes[2]));
-      const Verdict in_target = InAny(pixels, tests.target, tests.target_count);
-      const Verdict in_rim = InAny(pixels, tests.rim, tests.rim_count);
-      target.sure |= in_target.sure << place;
-      target.maybe |= in_target.maybe << place;
-      rim.sure |= in_rim.sure << place;
-      rim.maybe |= in_rim.maybe << place;
-      cannot_tell |= BitsOf(Outside(largest, tests.dark_level, tests.clipped_level)) << place;
-      lost |= BitsOf(Outside(largest, 0, tests.lost_level)) << place;
+void GEON_CLASSIFY_ROW(const uint8_t* data, bool red_is_first, int words, const RowTests& row_tests,
+                       const RowBits& row_bits) {
+  // Copies: stores of bytes may change whatever a reference refers to, and it would be read again.
+  const RowTests tests = row_tests;
+  const RowBits bits = row_bits;
+  const v_uint8 lost_level = cv::vx_setall_u8(static_cast<uint8_t>(tests.lost_level));
+  const bool has_levels = tests.dark_level > 0 || tests.clipped_level < 256;
+  const int blocks = words * (64 / kLanes);
+  for (int block = 0; block < blocks; ++block, data += 3 * kLanes) {
+    const Pixels pixels = Load(data, red_is_first);
+    const v_uint8 largest = cv::v_max(pixels.bytes[0], cv::v_max(pixels.bytes[1], pixels.bytes[2]));
+    const Verdict target = InAny(pixels, tests.target, tests.target_count);
+    Store(target.sure, block, bits.target);
+    uint64_t doubt = target.maybe & ~target.sure;
+    if (tests.rim_count > 0) {
+      const Verdict rim = InAny(pixels, tests.rim, tests.rim_count);
+      Store(rim.sure, block, bits.rim);
+      doubt |= rim.maybe & ~rim.sure;
     }
-    bits.target[word] = target.sure;
-    bits.rim[word] = rim.sure;
-    bits.cannot_tell[word] = cannot_tell;
-    bits.lost[word] = lost;
-    bits.doubt[word] = (target.maybe & ~target.sure) | (rim.maybe & ~rim.sure);
+    Store(doubt, block, bits.doubt);
+    if (has_levels) {
+      Store(BitsOf(Outside(largest, tests.dark_level, tests.clipped_level)), block,
+            bits.cannot_tell);
+    }
+    Store(BitsOf(cv::v_max(largest, lost_level) == largest), block, bits.lost);
   }
   cv::vx_cleanup();
 }

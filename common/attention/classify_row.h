@@ -14,10 +14,11 @@ struct RowTests {
   int rim_count = 0;
   int dark_level = 0;       // as in ColorModel
   int clipped_level = 256;  // as in ColorModel
-  int lost_level = 256;     // pixels at or above are marked in RowBits::lost
+  int lost_level = 255;     // pixels at or above are marked in RowBits::lost
 };
 
-// One bit a pixel, 64 pixels a word, the first pixel in the lowest bit.
+// One bit a pixel, 64 pixels a word, the first pixel in the lowest bit. Without a rim (or levels)
+// `rim` (or `cannot_tell`) is left as it is.
 struct RowBits {
   uint64_t* target = nullptr;       // surely
   uint64_t* rim = nullptr;          // surely, whether target or not

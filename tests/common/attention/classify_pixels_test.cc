@@ -120,8 +120,10 @@ TEST(ClassifyPixelsTest, AnyWidthStrideAndOrderIsClassifiedAsThePixelsAre) {
   }
 }
 
-TEST(ClassifyPixelsTest, BadModelsThrow) {
+TEST(ClassifyPixelsTest, BrokenContractsThrow) {
   EXPECT_THROW(PixelClassifier(ColorModel{}), ContractViolation);
+  const PixelClassifier classifier(*NamedColorModel("super-red"));
+  EXPECT_THROW(classifier.Classify(ColorsOfRed(0, PixelFormat::kRgb8), 256), ContractViolation);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ TEST(ClassifyRowTest, PixelsAreBitsFromTheLowestOnAndDoubtIsTold) {
   region.planes = {{{1, 0, 0}, 120, 90}};
   region.doubtful = true;
   const RowTests tests = {&region, 1, nullptr, 0, 0, 255, 250};
-  uint64_t target[2], rim[2], cannot_tell[2], lost[2], doubt[2];
+  uint64_t target[2], rim[2] = {0, 0}, cannot_tell[2], lost[2], doubt[2];
   ClassifyRowBaseline(row.data(), true, 2, tests, {target, rim, cannot_tell, lost, doubt});
   EXPECT_EQ(target[0], 1U);
   EXPECT_EQ(target[1], 0U);
