@@ -11,7 +11,7 @@ import sys
 
 THESIS_ROOMS = ("attention", "active_vision", "navigation", "rangefinder", "recognition", "geons")
 EMBREE_ROOMS = ("sim", "evaluation")
-SIM_USERS = ("geon", "simulator")
+SIM_USERS = ("geon", "lockstep", "simulator")
 MAX_FILE_LINES = 400
 MAX_MAIN_LINES = 30
 
@@ -158,7 +158,7 @@ def check_purity(tree):
 
 
 def check_sim_users(tree):
-    """Only the simulator and the `geon` command use the room sim."""
+    """Only the simulator, the lock-step and the `geon` command use the room sim."""
     for path, text in tree.code("procs"):
         for line, name in includes(text):
             if name.startswith("sim/") and path.parts[1] not in SIM_USERS:
