@@ -70,6 +70,15 @@ cv::Mat LaserChannel(const sensor::Image& image, LaserColor color) {
   return Channel(pixels, ChannelIndex(image.format, color));
 }
 
+// The brighter of the two channels the laser does not shine in: to a red laser's light yellow paint
+// is no more alike than white.
+cv::Mat BrighterOther(const sensor::Image& image, LaserColor color) {
+  const cv::Mat pixels = View(image);
+  const int laser_channel = ChannelIndex(image.format, color);
+  return cv::max(Channel(pixels, (laser_channel + 1) % 3),
+                 Channel(pixels, (laser_channel + 2) % 3));
+}
+
 // The mean of the two channels the laser does not shine in.
 cv::Mat OtherChannels(const sensor::Image& image, LaserColor color) {
   const cv::Mat pixels = View(image);
@@ -112,7 +121,7 @@ cv::Mat LocalBackground(const cv::Mat& plane, int window_px) {
 // surroundings.
 cv::Mat Tint(const sensor::Image& lit, LaserColor color, const LaserLightOptions& options) {
   const cv::Mat laser = LaserChannel(lit, color);
-  cv::Mat others = OtherChannels(lit, color);
+  cv::Mat others = BrighterOther(lit, color);
   const cv::Mat surroundings =
       cv::min(LocalBackground(others, options.background_window_px), others);
   surroundings.copyTo(others, laser >= options.saturated_level);

@@ -3,17 +3,17 @@
 #include <cstddef>
 #include <vector>
 
+#include "rangefinder/stripe_fit.h"
+
 namespace geon::rangefinder {
 
 // Source: ours; thesis section 3.1.1 assumes one unbroken stripe.
 //
 // A bright spot in one column (row) that may be the stripe.
 struct PeakCandidate {
-  int line = 0;              // the column (row)
-  double position_px = 0.0;  // along it
-  double peak_1 = 0.0;
-  double sigma_px = 0.0;
+  int line = 0;           // the column (row)
   bool too_wide = false;  // glare: on no piece
+  ProfileFit fit;
 };
 
 struct PieceOptions {

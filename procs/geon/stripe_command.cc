@@ -17,11 +17,15 @@ using rangefinder::PeakReason;
 using rangefinder::StripePeak;
 using sensor::Laser;
 
+// A photograph has many lines that are bright and narrow somewhere; a laser lays one.
+constexpr double kMinStripeShare_1 = 0.5;
+
 struct StripeArguments {
   std::string lit;
   std::string unlit;
   std::string laser;
   std::string laser_color;
+  std::string peaks = "gaussian";
   bool json = false;
 };
 
@@ -51,13 +55,14 @@ struct Found {
 };
 
 // Along the named direction, or along the one with the larger share of lines that show a stripe.
-Found FindAlong(const std::string& name, const sensor::Image& light) {
-  if (!name.empty()) {
-    const Laser laser = name == "vertical" ? Laser::kVertical : Laser::kHorizontal;
-    return {laser, rangefinder::FindStripePeaks(light, laser)};
-  }
-  Found horizontal = {Laser::kHorizontal, rangefinder::FindStripePeaks(light, Laser::kHorizontal)};
-  Found vertical = {Laser::kVertical, rangefinder::FindStripePeaks(light, Laser::kVertical)};
+Found FindAlong(const std::string& name, const sensor::Image& light,
+                const rangefinder::PeakOptions& options) {
+  const auto find = [&](Laser laser) -> Found {
+    return {laser, rangefinder::FindStripePeaks(light, laser, options)};
+  };
+  if (!name.empty()) return find(name == "vertical" ? Laser::kVertical : Laser::kHorizontal);
+  Found horizontal = find(Laser::kHorizontal);
+  Found vertical = find(Laser::kVertical);
   const double horizontal_share =
       static_cast<double>(CountFound(horizontal.peaks)) / light.width_px;
   const double vertical_share = static_cast<double>(CountFound(vertical.peaks)) / light.height_px;
@@ -81,6 +86,7 @@ Json ToJson(const StripePeak& peak, Laser laser) {
     json = {{"u_px", position_px}, {"v_px", peak.pixel}};
   }
   json["peak"] = Rounded(peak.peak_1);
+  json["width_px"] = Rounded(peak.width_px);
   json["sigma_px"] = Rounded(peak.sigma_px);
   return json;
 }
@@ -94,8 +100,11 @@ int Stripe(const StripeArguments& arguments) {
   if (!lit.ok()) return fail(lit.message());
   const LaserColor color = ChooseColor(arguments.laser_color, *lit);
   sensor::Image light;
+  rangefinder::PeakOptions options;
+  options.method = *rangefinder::PeakMethodFromString(arguments.peaks);
   if (arguments.unlit.empty()) {
     light = rangefinder::LaserLight(*lit, color);
+    options.min_stripe_share_1 = kMinStripeShare_1;
   } else {
     const Result<sensor::Image> unlit = LoadImage(arguments.unlit);
     if (!unlit.ok()) return fail(unlit.message());
@@ -105,7 +114,7 @@ int Stripe(const StripeArguments& arguments) {
     light = rangefinder::LaserLight(*lit, *unlit, color);
   }
 
-  const Found found = FindAlong(arguments.laser, light);
+  const Found found = FindAlong(arguments.laser, light, options);
   for (const StripePeak& peak : found.peaks) std::cout << ToJson(peak, found.laser) << "\n";
   const int count = CountFound(found.peaks);
   if (!arguments.json) {
@@ -113,7 +122,10 @@ int Stripe(const StripeArguments& arguments) {
     std::cerr << arguments.lit << ": " << (horizontal ? "horizontal" : "vertical") << " stripe in "
               << count << " of " << found.peaks.size() << (horizontal ? " columns\n" : " rows\n");
   }
-  if (count == 0) return fail(arguments.lit + ": shows no laser stripe");
+  if (count == 0) {
+    return fail(arguments.lit + ": shows no laser stripe" +
+                (arguments.unlit.empty() ? "; a second frame with the laser off helps (OFF)" : ""));
+  }
   return kOk;
 }
 
@@ -126,6 +138,15 @@ void AddStripeCommand(CLI::App& app, int* exit_code) {
       "Finds a laser stripe to a fraction of a pixel (thesis 3.1): one JSON object for every "
       "column "
       "of a horizontal stripe or row of a vertical one, with the reason where there is no stripe.");
+  command->footer(
+      "u_px, v_px   the line, and where the stripe's centre crosses it\n"
+      "peak         grey levels above what the stripe stands on (more than 255: clipped)\n"
+      "width_px     of the stripe: standard deviation of its brightness profile\n"
+      "sigma_px     standard error of the centre, from the image's noise\n"
+      "Examples:\n"
+      "  geon stripe on.png off.png\n"
+      "  geon stripe frame.jpg --laser vertical --peaks centroid\n"
+      "Exit code 1: no stripe in the image.");
   command->add_option("ON", arguments->lit, "Image with the laser on")->required();
   command->add_option("OFF", arguments->unlit,
                       "The same view with the laser off; without it the background is estimated");
@@ -137,6 +158,11 @@ void AddStripeCommand(CLI::App& app, int* exit_code) {
       ->add_option("--laser-color", arguments->laser_color,
                    "red, green or mono; default: red, mono for a grey image")
       ->check(CLI::IsMember({"red", "green", "mono"}));
+  command
+      ->add_option("--peaks", arguments->peaks,
+                   "gaussian: a Gaussian profile; centroid: the thesis's equation 3.6")
+      ->check(CLI::IsMember({"gaussian", "centroid"}))
+      ->capture_default_str();
   command->add_flag("--json", arguments->json, "Nothing but JSON: no summary on stderr");
   command->callback([arguments, exit_code] { *exit_code = Stripe(*arguments); });
 }

@@ -16,7 +16,7 @@ struct Accuracy {
   int found = 0;
   double bias_px = 0.0;
   double rms_px = 0.0;  // bias taken off
-  double mean_sigma_px = 0.0;
+  double mean_width_px = 0.0;
 };
 
 Accuracy Measure(const SyntheticStripe& stripe) {
@@ -27,11 +27,11 @@ Accuracy Measure(const SyntheticStripe& stripe) {
     const double error_px = peak.position_px - stripe.position_px(peak.pixel).value();
     ++accuracy.found;
     accuracy.bias_px += error_px;
-    accuracy.mean_sigma_px += peak.sigma_px;
+    accuracy.mean_width_px += peak.width_px;
     square_sum += error_px * error_px;
   }
   accuracy.bias_px /= accuracy.found;
-  accuracy.mean_sigma_px /= accuracy.found;
+  accuracy.mean_width_px /= accuracy.found;
   accuracy.rms_px = std::sqrt(square_sum / accuracy.found - accuracy.bias_px * accuracy.bias_px);
   return accuracy;
 }
@@ -64,7 +64,7 @@ TEST(StripePeaksTest, BrightStripeIsMeasuredToAFewHundredthsOfAPixel) {
   EXPECT_EQ(accuracy.found, 640);
   EXPECT_LT(std::abs(accuracy.bias_px), 0.01);
   EXPECT_LT(accuracy.rms_px, 0.06);
-  EXPECT_NEAR(accuracy.mean_sigma_px, 2.0, 0.15);
+  EXPECT_NEAR(accuracy.mean_width_px, 2.0, 0.15);
 }
 
 TEST(StripePeaksTest, FaintStripeIsFoundWithoutBias) {

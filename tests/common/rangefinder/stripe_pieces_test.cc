@@ -9,7 +9,12 @@ namespace {
 using testing::ElementsAre;
 
 PeakCandidate PeakAt(int line, double position_px) {
-  return {line, position_px, 100.0, 2.0, false};
+  PeakCandidate candidate;
+  candidate.line = line;
+  candidate.fit.position_px = position_px;
+  candidate.fit.peak_1 = 100.0;
+  candidate.fit.width_px = 2.0;
+  return candidate;
 }
 
 TEST(StripePiecesTest, NeighborsWithinAStepFormOnePiece) {

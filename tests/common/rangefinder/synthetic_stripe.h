@@ -18,9 +18,11 @@ struct SyntheticStripe {
   int height_px = 480;
   sensor::Laser laser = sensor::Laser::kHorizontal;
   double amplitude_1 = 180.0;
-  double sigma_px = 2.0;
+  double stripe_px = 2.0;  // standard deviation of the profile
   double background_1 = 6.0;
-  double noise_1 = 3.0;
+  double noise_1 = 3.0;      // of every pixel, as a camera reads it
+  double gain_1 = 0.0;       // grey levels of variance for every one of light: shot noise
+  bool minus_unlit = false;  // less a frame without the laser, cut off at 0
   unsigned seed = 1;
   // Where the stripe lies in a column (row); nothing where there is none.
   std::function<std::optional<double>(int line)> position_px;
@@ -41,21 +43,32 @@ struct SyntheticStripe {
       const std::optional<double> center_px = position_px(line);
       for (int i = 0; i < length; ++i) {
         double level = background_1;
-        if (center_px) {
+        if (center_px && std::abs(i - *center_px) < 8.0 * stripe_px + 1.0) {
           // The mean over the pixel of exp(-x^2 / 2 sigma^2).
           const auto integral = [&](double x) {
-            return std::erf((x - *center_px) / (std::sqrt(2.0) * sigma_px));
+            return std::erf((x - *center_px) / (std::sqrt(2.0) * stripe_px));
           };
-          level += amplitude_1 * sigma_px * std::sqrt(std::acos(-1.0) / 2.0) *
+          level += amplitude_1 * stripe_px * std::sqrt(std::acos(-1.0) / 2.0) *
                    (integral(i + 0.5) - integral(i - 0.5));
         }
-        level += noise_1 * noise(random);
+        level += std::sqrt(noise_1 * noise_1 + gain_1 * level) * noise(random);
         const auto index =
             static_cast<size_t>(horizontal ? i * width_px + line : line * width_px + i);
-        image.data[index] = static_cast<uint8_t>(std::clamp(std::lround(level), 0L, 255L));
+        image.data[index] = Digitized(level);
+        if (minus_unlit) {
+          const double unlit =
+              background_1 + std::sqrt(noise_1 * noise_1 + gain_1 * background_1) * noise(random);
+          image.data[index] =
+              static_cast<uint8_t>(std::max(0, image.data[index] - Digitized(unlit)));
+        }
       }
     }
     return image;
+  }
+
+ private:
+  static uint8_t Digitized(double level) {
+    return static_cast<uint8_t>(std::clamp(std::lround(level), 0L, 255L));
   }
 };
 

@@ -1,0 +1,422 @@
+#include "rangefinder/stripe_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace geon::rangefinder {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr int kRing = 4;  // pixels on either side of the window: the floor
+
+// Weights of the moments: a Gaussian of standard deviation sigma_px round the middle of a window,
+// in fixed point.
+struct Window {
+  double sigma_px = 0.0;
+  int reach = 0;                   // pixels on either side of the middle
+  int pixels = 0;                  // middle on a pixel: 2 reach + 1; between two: 2 reach
+  std::vector<int16_t> weight[3];  // times 1, x and x^2, padded to a multiple of kPad
+  double unit[3] = {};             // of a weight
+  double sum[3] = {};
+};
+
+constexpr int kPad = 8;  // pixels summed at once
+
+class Windows {
+ public:
+  Windows() {
+    for (int k = 0; k < kSigmas; ++k) {
+      windows_.push_back(Make(SigmaAt(k), true));
+      windows_.push_back(Make(SigmaAt(k), false));
+    }
+    for (size_t k = 0; k < nearest_.size(); ++k) {
+      const double sigma_px = (static_cast<double>(k) + 0.5) / kPerPixel;
+      int best = 0;
+      for (int j = 1; j < kSigmas; ++j) {
+        if (std::abs(std::log(sigma_px / SigmaAt(j))) <
+            std::abs(std::log(sigma_px / SigmaAt(best))))
+          best = j;
+      }
+      nearest_[k] = best;
+    }
+  }
+  // The window for a stripe of that width.
+  const Window& For(double sigma_px, bool middle_on_pixel) const {
+    const auto k = static_cast<size_t>(
+        std::clamp(sigma_px * kPerPixel, 0.0, static_cast<double>(nearest_.size() - 1)));
+    return windows_[static_cast<size_t>(2 * nearest_[k] + (middle_on_pixel ? 0 : 1))];
+  }
+
+ private:
+  static constexpr int kSigmas = 20;
+  static constexpr double kPerPixel = 8.0;
+  static double SigmaAt(int k) { return 0.7 * std::pow(1.15, k); }  // to 10 px
+
+  static Window Make(double sigma_px, bool middle_on_pixel) {
+    Window window;
+    window.sigma_px = sigma_px;
+    window.reach = static_cast<int>(std::ceil(2.5 * sigma_px + (middle_on_pixel ? 0.0 : 0.5)));
+    window.pixels = 2 * window.reach + (middle_on_pixel ? 1 : 0);
+    for (int power = 0; power < 3; ++power) {
+      window.unit[power] = std::pow(sigma_px, power) / 4096.0;
+      for (int i = 0; i < window.pixels; ++i) {
+        const double x_px = i - 0.5 * (window.pixels - 1);
+        const double weight =
+            std::pow(x_px, power) * std::exp(-0.5 * x_px * x_px / (sigma_px * sigma_px));
+        const double fixed = std::round(weight / window.unit[power]);
+        window.weight[power].push_back(static_cast<int16_t>(fixed));
+        window.sum[power] += fixed * window.unit[power];
+      }
+      while (window.weight[power].size() % kPad != 0) window.weight[power].push_back(0);
+    }
+    return window;
+  }
+
+  std::vector<Window> windows_;  // middle on a pixel, then between two, for each sigma
+  std::array<int, 96> nearest_{};
+};
+
+const Windows& AllWindows() {
+  static const Windows windows;
+  return windows;
+}
+
+// What half a run's length is, in standard deviations of a Gaussian `ratio` times as high as the
+// level the run was cut at.
+class RunWidths {
+ public:
+  RunWidths() {
+    for (size_t k = 0; k < half_length_.size(); ++k) {
+      const double ratio = std::max(1.3, (static_cast<double>(k) + 0.5) / kPerOne);
+      half_length_[k] = std::sqrt(2.0 * std::log(ratio));
+    }
+  }
+  double At(double ratio) const {
+    return half_length_[static_cast<size_t>(
+        std::clamp(ratio * kPerOne, 0.0, static_cast<double>(half_length_.size() - 1)))];
+  }
+
+ private:
+  static constexpr double kPerOne = 4.0;
+  std::array<double, 128> half_length_{};
+};
+
+double SigmaOfRun(int length, double ratio) {
+  static const RunWidths widths;
+  return 0.5 * length / widths.At(ratio);
+}
+
+// The longest window, and room to sum in steps of kPad.
+constexpr int kMostPixels = 64;
+using Levels = std::array<int16_t, kMostPixels>;
+
+int SumOf(const LineView& image, int line, int first, int count) {
+  int sum = 0;
+  for (int i = first; i < first + count; ++i) sum += image.At(line, i);
+  return sum;
+}
+
+// The level beside [first, last]: the mean of both sides, or that of the darker one where noise
+// does not explain the other's light.
+double FloorBeside(const LineView& image, int line, int first, int last, double noise_1) {
+  constexpr double kUnlike = 3.0 * 1.4142 / 2.0;  // 3 standard errors of a difference of kRing
+  const bool before = first >= kRing;
+  const bool after = last + kRing < image.length;
+  const double left_1 = before ? SumOf(image, line, first - kRing, kRing) / double{kRing} : 255.0;
+  const double right_1 = after ? SumOf(image, line, last + 1, kRing) / double{kRing} : 255.0;
+  if (!before || !after || std::abs(left_1 - right_1) > kUnlike * noise_1) {
+    return std::min(left_1, right_1);
+  }
+  return 0.5 * (left_1 + right_1);
+}
+
+struct Moments {
+  double of[3] = {};  // sums of (level - floor) times 1, x and x^2 under the window
+};
+Moments Weigh(const Levels& levels, const Window& window, double floor_1) {
+  Moments moments;
+  const int count = static_cast<int>(window.weight[0].size());
+  for (int power = 0; power < 3; ++power) {
+    const int16_t* weight = window.weight[power].data();
+    int32_t sum = 0;
+    for (int i = 0; i < count; i += kPad) {
+      for (int k = 0; k < kPad; ++k) sum += levels[static_cast<size_t>(i + k)] * weight[i + k];
+    }
+    moments.of[power] = window.unit[power] * sum - floor_1 * window.sum[power];
+  }
+  return moments;
+}
+
+// One Gaussian seen through one window with its middle at `middle_px`, or nothing where the light
+// is none. All in closed form: the product of the profile (sigma w) and the window (sigma s) is a
+// Gaussian of variance u^2 = w^2 s^2 / (w^2 + s^2), shifted by s^2 / (s^2 + w^2) of the way.
+std::optional<ProfileFit> FromMoments(const Moments& moments, const Window& window,
+                                      double middle_px) {
+  const double s2 = window.sigma_px * window.sigma_px;
+  if (!(moments.of[0] > 0.0)) return std::nullopt;
+  const double mean_px = moments.of[1] / moments.of[0];
+  const double u2 = moments.of[2] / moments.of[0] - mean_px * mean_px;
+  if (!(u2 > 0.05 * s2 && u2 < 0.95 * s2)) return std::nullopt;
+  const double stretch = s2 / (s2 - u2);  // 1 + w^2 / s^2
+  const double shift_px = mean_px * stretch;
+  const double u_px = std::sqrt(u2);
+  ProfileFit fit;
+  fit.position_px = middle_px + shift_px;
+  fit.width_px = u_px * std::sqrt(stretch);
+  fit.peak_1 = moments.of[0] / (std::sqrt(2.0 * kPi) * u_px) *
+               std::exp(0.5 * shift_px * shift_px / (s2 * stretch));
+  // The sum of window^2 x^2 v, where v is the same for every pixel, or follows the profile.
+  const double gain = stretch / moments.of[0];
+  const double shared2 =
+      fit.width_px * fit.width_px * s2 / (2.0 * fit.width_px * fit.width_px + s2);
+  fit.per_noise = gain * gain * 0.5 * std::sqrt(kPi) * s2 * window.sigma_px;
+  fit.per_gain = gain * gain * fit.peak_1 * std::sqrt(2.0 * kPi) * shared2 * std::sqrt(shared2);
+  return fit;
+}
+
+// The profile by moments under windows, moved and widened until they suit it.
+std::optional<ProfileFit> FitByMoments(const LineView& image, const Run& run, double sigma_px,
+                                       double noise_1) {
+  constexpr int kRounds = 4;
+  constexpr double kShift = 0.5;            // of the window's sigma: further off it is moved
+  constexpr double kMismatch = 1.3;         // between its sigma and the profile's
+  int twice_middle = run.first + run.last;  // in half pixels
+  for (int round = 0; round < kRounds; ++round) {
+    const bool on_pixel = twice_middle % 2 == 0;
+    const Window& window = AllWindows().For(sigma_px, on_pixel);
+    const int first = (twice_middle + 1) / 2 - window.reach;
+    const int last = first + window.pixels - 1;
+    if (first < 0 || last >= image.length) return std::nullopt;
+    Levels levels;
+    for (int i = 0; i < window.pixels; ++i) {
+      levels[static_cast<size_t>(i)] = static_cast<int16_t>(image.At(run.line, first + i));
+    }
+    for (int i = window.pixels; i % kPad != 0; ++i) levels[static_cast<size_t>(i)] = 0;
+    const double floor_1 = FloorBeside(image, run.line, first, last, noise_1);
+    std::optional<ProfileFit> fit =
+        FromMoments(Weigh(levels, window, floor_1), window, 0.5 * twice_middle);
+    if (!fit) return fit;
+    fit->floor_1 = floor_1;
+    fit->first = first;
+    fit->last = last;
+    const double shift_px = fit->position_px - 0.5 * twice_middle;
+    const double ratio = fit->width_px / window.sigma_px;
+    const bool suits = std::abs(shift_px) <= kShift * window.sigma_px && ratio < kMismatch &&
+                       ratio > 1.0 / kMismatch;
+    if (suits || round + 1 == kRounds) return fit;
+    if (std::abs(shift_px) > 0.5 * run.length() + 1.0) return std::nullopt;  // left its run
+    twice_middle = static_cast<int>(std::lround(2.0 * fit->position_px));
+    sigma_px = fit->width_px;
+  }
+  return std::nullopt;
+}
+
+// Least squares of c0 + c1 x + c2 x^2 through the logarithms of the pixels that rise above noise
+// and do not belong to the clipped crest.
+std::optional<ProfileFit> FitByLogarithms(const LineView& image, const Run& run, int brightest,
+                                          double noise_1) {
+  constexpr double kCrest = 3.0;  // standard deviations below the brightest: may be clipped
+  constexpr double kRise = 2.0;   // standard deviations above the floor
+  const int flank = std::max(4, run.length() / 3);
+  const int first = std::max(0, run.first - flank);
+  const int last = std::min(image.length - 1, run.last + flank);
+  const double floor_1 = FloorBeside(image, run.line, first, last, noise_1);
+  const double middle_px = 0.5 * (run.first + run.last);
+  const double crest_1 = std::min(double{kSaturated}, brightest - kCrest * noise_1);
+  int core_first = run.first;
+  while (image.At(run.line, core_first) < crest_1) ++core_first;
+  int core_last = run.last;
+  while (image.At(run.line, core_last) < crest_1) --core_last;
+  double s[5] = {};  // sums of weight x^k
+  double t[3] = {};  // sums of weight log x^k
+  double light = 0.0;
+  int used[2] = {0, 0};  // on either side
+  for (int i = first; i <= last; ++i) {
+    const double y = image.At(run.line, i) - floor_1;
+    if ((i >= core_first && i <= core_last) || y < kRise * noise_1 + 1.0) continue;
+    const double x = i - middle_px;
+    const double weight = y * y;
+    const double log_y = std::log(y);
+    double power = weight;
+    for (int k = 0; k < 5; ++k, power *= x) {
+      s[k] += power;
+      if (k < 3) t[k] += power * log_y;
+    }
+    light += weight * y;
+    ++used[x < 0.0 ? 0 : 1];
+  }
+  if (std::min(used[0], used[1]) < 2) return std::nullopt;
+  // Cofactors of the symmetric matrix with rows (s0 s1 s2), (s1 s2 s3), (s2 s3 s4).
+  const double a00 = s[2] * s[4] - s[3] * s[3];
+  const double a01 = s[2] * s[3] - s[1] * s[4];
+  const double a02 = s[1] * s[3] - s[2] * s[2];
+  const double a11 = s[0] * s[4] - s[2] * s[2];
+  const double a12 = s[1] * s[2] - s[0] * s[3];
+  const double a22 = s[0] * s[2] - s[1] * s[1];
+  const double determinant = s[0] * a00 + s[1] * a01 + s[2] * a02;
+  if (!(determinant > 0.0)) return std::nullopt;
+  const double c0 = (a00 * t[0] + a01 * t[1] + a02 * t[2]) / determinant;
+  const double c1 = (a01 * t[0] + a11 * t[1] + a12 * t[2]) / determinant;
+  const double c2 = (a02 * t[0] + a12 * t[1] + a22 * t[2]) / determinant;
+  if (!(c2 < 0.0)) return std::nullopt;
+  ProfileFit fit;
+  const double shift_px = -0.5 * c1 / c2;
+  if (std::abs(shift_px) > 0.5 * run.length()) return std::nullopt;
+  fit.position_px = middle_px + shift_px;
+  fit.peak_1 = std::exp(std::min(c0 + 0.5 * c1 * shift_px, 9.0));
+  fit.width_px = std::sqrt(-0.5 / c2);
+  fit.floor_1 = floor_1;
+  // With their neighbours, which are in the fit only when their noise made them darker.
+  fit.core_first = core_first - 1;
+  fit.core_last = core_last + 1;
+  // By c1 and c2 of the position's derivatives; a weight is the level's square, so a grey level of
+  // noise counts the same in every pixel.
+  fit.per_noise = (a11 + 4.0 * shift_px * a12 + 4.0 * shift_px * shift_px * a22) / determinant /
+                  (4.0 * c2 * c2);
+  fit.per_gain = fit.per_noise * light / s[0];
+  fit.first = first;
+  fit.last = last;
+  return fit;
+}
+
+// Whether more of a run is as bright as its crest than of a Gaussian of that width: it is clipped
+// (a difference of two frames clips wherever the unlit one left no room).
+bool HasFlatTop(const LineView& image, const Run& run, int brightest, double sigma_px,
+                const Background& background) {
+  constexpr double kTop = 0.9;
+  constexpr double kTopOfGaussian = 0.918;  // pixels for a sigma of one
+  const double top_1 = background.level_1 + kTop * (brightest - background.level_1);
+  int bright = 0;
+  for (int i = run.first; i <= run.last; ++i) bright += image.At(run.line, i) >= top_1 ? 1 : 0;
+  return bright > 2.0 * kTopOfGaussian * sigma_px + 1.0;
+}
+
+int BrightestOf(const LineView& image, const Run& run) {
+  int brightest = 0;
+  for (int i = run.first; i <= run.last; ++i)
+    brightest = std::max(brightest, image.At(run.line, i));
+  return brightest;
+}
+
+// Where the profile crosses `level_1` beyond pixel `inside`, towards `step`.
+double Crossing(const LineView& image, int line, int inside, int step, double level_1) {
+  while (inside + step >= 0 && inside + step < image.length &&
+         image.At(line, inside + step) >= level_1) {
+    inside += step;
+  }
+  if (inside + step < 0 || inside + step >= image.length) return inside + 0.5 * step;
+  const double in_1 = image.At(line, inside) - level_1;
+  const double out_1 = image.At(line, inside + step) - level_1;
+  return inside + step * std::clamp(in_1 / (in_1 - out_1), 0.0, 1.0);
+}
+
+}  // namespace
+
+std::optional<ProfileFit> MeasureCentroid(const LineView& image, const Run& run, double noise_1,
+                                          double base_fraction_1, int half_window_px) {
+  const int reach = std::max(half_window_px, run.length());
+  const int middle = (run.first + run.last) / 2;
+  const int first = std::max(0, middle - reach);
+  const int last = std::min(image.length - 1, middle + reach);
+  ProfileFit fit;
+  fit.first = first;
+  fit.last = last;
+  fit.floor_1 = FloorBeside(image, run.line, first, last, noise_1);
+  const int brightest = BrightestOf(image, run);
+  fit.peak_1 = brightest - fit.floor_1;
+  const double base_1 = fit.floor_1 + base_fraction_1 * fit.peak_1;
+  double sum = 0.0;
+  double moment = 0.0;
+  for (int i = first; i <= last; ++i) {
+    const double weight = std::max(0.0, image.At(run.line, i) - base_1);
+    sum += weight;
+    moment += weight * i;
+  }
+  if (!(sum > 0.0)) return std::nullopt;
+  fit.position_px = moment / sum;
+  for (int i = first; i <= last; ++i) {
+    const double above_1 = image.At(run.line, i) - base_1;
+    if (above_1 <= 0.0) continue;
+    const double lever = (i - fit.position_px) / sum;
+    fit.per_noise += lever * lever;
+    fit.per_gain += lever * lever * (above_1 + base_1 - fit.floor_1);
+  }
+  const double half_1 = fit.floor_1 + 0.5 * fit.peak_1;
+  int crest = run.first;
+  while (image.At(run.line, crest) < brightest) ++crest;
+  // A Gaussian's width at half its height, in standard deviations.
+  fit.width_px =
+      (Crossing(image, run.line, crest, 1, half_1) - Crossing(image, run.line, crest, -1, half_1)) /
+      2.3548;
+  return fit;
+}
+
+Misfit MeasureMisfit(const LineView& image, int line, const ProfileFit& fit) {
+  // What a fit of three parameters takes out of the residuals: the noise of three pixels, but the
+  // shot noise of 1.77 at the crest (the leverage of Gauss-Hermite functions 0 to 2). Where the
+  // crest is clipped, most of it out of pixels that are left out here.
+  const bool clipped = fit.core_first <= fit.core_last;
+  const int fitted = clipped ? 0 : 3;
+  const double fitted_light_1 = clipped ? 0.0 : 1.77 * fit.peak_1;
+  constexpr double kByFloor = 0.5 / kRing;  // the floor's own error, in variances of a pixel
+  double square_sum = 0.0;
+  double light_sum = 0.0;
+  int pixels = 0;
+  for (int i = fit.first; i <= fit.last; ++i) {
+    if (i >= fit.core_first && i <= fit.core_last) continue;
+    const double x = (i - fit.position_px) / fit.width_px;
+    const double light_1 = fit.peak_1 * std::exp(-0.5 * x * x);
+    const double residual_1 = image.At(line, i) - fit.floor_1 - light_1;
+    square_sum += residual_1 * residual_1;
+    light_sum += light_1;
+    ++pixels;
+  }
+  if (pixels <= fitted) return {};
+  return {square_sum, std::max(0.0, light_sum - fitted_light_1),
+          pixels - fitted + kByFloor * pixels};
+}
+
+// A clipped profile: by logarithms where the flanks are a Gaussian's. Real ones often are not, for
+// light scattered round a bright stripe; then by the centroid of what stands clear of that, which
+// is as symmetric as the stripe.
+std::optional<ProfileFit> FitClipped(const LineView& image, const Run& run, int brightest,
+                                     double noise_1) {
+  constexpr double kBase = 0.2;     // of the clipped height
+  constexpr double kMisfit = 0.02;  // of the brightest level, besides noise
+  constexpr double kNoise = 2.0;
+  std::optional<ProfileFit> fit = FitByLogarithms(image, run, brightest, noise_1);
+  if (!fit) return fit;
+  const Misfit misfit = MeasureMisfit(image, run.line, *fit);
+  const double tolerated_1 = kNoise * noise_1 + kMisfit * brightest;
+  if (misfit.square_sum_1 <= misfit.freedom * tolerated_1 * tolerated_1) return fit;
+  const auto centroid = MeasureCentroid(image, run, noise_1, kBase, 0);
+  if (!centroid) return fit;
+  fit->position_px = centroid->position_px;
+  fit->per_noise = centroid->per_noise;
+  fit->per_gain = centroid->per_gain;
+  return fit;
+}
+
+std::optional<ProfileFit> FitGaussian(const LineView& image, const Run& run, double level_1,
+                                      const Background& background) {
+  // A Gaussian's height follows from its area; of a run of another shape it does not.
+  constexpr double kLeastHeight = 0.65;
+  constexpr double kMostHeight = 1.5;
+  const int brightest = BrightestOf(image, run);
+  const double ratio = (brightest - background.level_1) / (level_1 - background.level_1);
+  const double sigma_px = SigmaOfRun(run.length(), ratio);
+  if (brightest >= kSaturated || HasFlatTop(image, run, brightest, sigma_px, background)) {
+    return FitClipped(image, run, brightest, background.noise_1);
+  }
+  const std::optional<ProfileFit> fit = FitByMoments(image, run, sigma_px, background.noise_1);
+  if (!fit) return fit;
+  const double height_1 = brightest - fit->floor_1;
+  if (fit->peak_1 < kLeastHeight * height_1 || fit->peak_1 > kMostHeight * height_1) {
+    return std::nullopt;
+  }
+  return fit;
+}
+
+}  // namespace geon::rangefinder
