@@ -5,112 +5,15 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "rangefinder/moment_windows.h"
+
 namespace geon::rangefinder {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kRing = 4;  // pixels on either side of the window: the floor
 
-// Weights of the moments: a Gaussian of standard deviation sigma_px round the middle of a window,
-// in fixed point.
-struct Window {
-  double sigma_px = 0.0;
-  int reach = 0;                   // pixels on either side of the middle
-  int pixels = 0;                  // middle on a pixel: 2 reach + 1; between two: 2 reach
-  std::vector<int16_t> weight[3];  // times 1, x and x^2, padded to a multiple of kPad
-  double unit[3] = {};             // of a weight
-  double sum[3] = {};
-};
-
-constexpr int kPad = 8;  // pixels summed at once
-
-class Windows {
- public:
-  Windows() {
-    for (int k = 0; k < kSigmas; ++k) {
-      windows_.push_back(Make(SigmaAt(k), true));
-      windows_.push_back(Make(SigmaAt(k), false));
-    }
-    for (size_t k = 0; k < nearest_.size(); ++k) {
-      const double sigma_px = (static_cast<double>(k) + 0.5) / kPerPixel;
-      int best = 0;
-      for (int j = 1; j < kSigmas; ++j) {
-        if (std::abs(std::log(sigma_px / SigmaAt(j))) <
-            std::abs(std::log(sigma_px / SigmaAt(best))))
-          best = j;
-      }
-      nearest_[k] = best;
-    }
-  }
-  // The window for a stripe of that width.
-  const Window& For(double sigma_px, bool middle_on_pixel) const {
-    const auto k = static_cast<size_t>(
-        std::clamp(sigma_px * kPerPixel, 0.0, static_cast<double>(nearest_.size() - 1)));
-    return windows_[static_cast<size_t>(2 * nearest_[k] + (middle_on_pixel ? 0 : 1))];
-  }
-
- private:
-  static constexpr int kSigmas = 20;
-  static constexpr double kPerPixel = 8.0;
-  static double SigmaAt(int k) { return 0.7 * std::pow(1.15, k); }  // to 10 px
-
-  static Window Make(double sigma_px, bool middle_on_pixel) {
-    Window window;
-    window.sigma_px = sigma_px;
-    window.reach = static_cast<int>(std::ceil(2.5 * sigma_px + (middle_on_pixel ? 0.0 : 0.5)));
-    window.pixels = 2 * window.reach + (middle_on_pixel ? 1 : 0);
-    for (int power = 0; power < 3; ++power) {
-      window.unit[power] = std::pow(sigma_px, power) / 4096.0;
-      for (int i = 0; i < window.pixels; ++i) {
-        const double x_px = i - 0.5 * (window.pixels - 1);
-        const double weight =
-            std::pow(x_px, power) * std::exp(-0.5 * x_px * x_px / (sigma_px * sigma_px));
-        const double fixed = std::round(weight / window.unit[power]);
-        window.weight[power].push_back(static_cast<int16_t>(fixed));
-        window.sum[power] += fixed * window.unit[power];
-      }
-      while (window.weight[power].size() % kPad != 0) window.weight[power].push_back(0);
-    }
-    return window;
-  }
-
-  std::vector<Window> windows_;  // middle on a pixel, then between two, for each sigma
-  std::array<int, 96> nearest_{};
-};
-
-const Windows& AllWindows() {
-  static const Windows windows;
-  return windows;
-}
-
-// What half a run's length is, in standard deviations of a Gaussian `ratio` times as high as the
-// level the run was cut at.
-class RunWidths {
- public:
-  RunWidths() {
-    for (size_t k = 0; k < half_length_.size(); ++k) {
-      const double ratio = std::max(1.3, (static_cast<double>(k) + 0.5) / kPerOne);
-      half_length_[k] = std::sqrt(2.0 * std::log(ratio));
-    }
-  }
-  double At(double ratio) const {
-    return half_length_[static_cast<size_t>(
-        std::clamp(ratio * kPerOne, 0.0, static_cast<double>(half_length_.size() - 1)))];
-  }
-
- private:
-  static constexpr double kPerOne = 4.0;
-  std::array<double, 128> half_length_{};
-};
-
-double SigmaOfRun(int length, double ratio) {
-  static const RunWidths widths;
-  return 0.5 * length / widths.At(ratio);
-}
-
-// The longest window, and room to sum in steps of kPad.
-constexpr int kMostPixels = 64;
-using Levels = std::array<int16_t, kMostPixels>;
+using Levels = std::array<int16_t, kMostWindowPixels>;
 
 int SumOf(const LineView& image, int line, int first, int count) {
   int sum = 0;
@@ -135,14 +38,15 @@ double FloorBeside(const LineView& image, int line, int first, int last, double 
 struct Moments {
   double of[3] = {};  // sums of (level - floor) times 1, x and x^2 under the window
 };
-Moments Weigh(const Levels& levels, const Window& window, double floor_1) {
+Moments Weigh(const Levels& levels, const MomentWindow& window, double floor_1) {
   Moments moments;
   const int count = static_cast<int>(window.weight[0].size());
   for (int power = 0; power < 3; ++power) {
     const int16_t* weight = window.weight[power].data();
     int32_t sum = 0;
-    for (int i = 0; i < count; i += kPad) {
-      for (int k = 0; k < kPad; ++k) sum += levels[static_cast<size_t>(i + k)] * weight[i + k];
+    for (int i = 0; i < count; i += kWindowPad) {
+      for (int k = 0; k < kWindowPad; ++k)
+        sum += levels[static_cast<size_t>(i + k)] * weight[i + k];
     }
     moments.of[power] = window.unit[power] * sum - floor_1 * window.sum[power];
   }
@@ -152,7 +56,7 @@ Moments Weigh(const Levels& levels, const Window& window, double floor_1) {
 // One Gaussian seen through one window with its middle at `middle_px`, or nothing where the light
 // is none. All in closed form: the product of the profile (sigma w) and the window (sigma s) is a
 // Gaussian of variance u^2 = w^2 s^2 / (w^2 + s^2), shifted by s^2 / (s^2 + w^2) of the way.
-std::optional<ProfileFit> FromMoments(const Moments& moments, const Window& window,
+std::optional<ProfileFit> FromMoments(const Moments& moments, const MomentWindow& window,
                                       double middle_px) {
   const double s2 = window.sigma_px * window.sigma_px;
   if (!(moments.of[0] > 0.0)) return std::nullopt;
@@ -185,7 +89,7 @@ std::optional<ProfileFit> FitByMoments(const LineView& image, const Run& run, do
   int twice_middle = run.first + run.last;  // in half pixels
   for (int round = 0; round < kRounds; ++round) {
     const bool on_pixel = twice_middle % 2 == 0;
-    const Window& window = AllWindows().For(sigma_px, on_pixel);
+    const MomentWindow& window = WindowFor(sigma_px, on_pixel);
     const int first = (twice_middle + 1) / 2 - window.reach;
     const int last = first + window.pixels - 1;
     if (first < 0 || last >= image.length) return std::nullopt;
@@ -193,7 +97,7 @@ std::optional<ProfileFit> FitByMoments(const LineView& image, const Run& run, do
     for (int i = 0; i < window.pixels; ++i) {
       levels[static_cast<size_t>(i)] = static_cast<int16_t>(image.At(run.line, first + i));
     }
-    for (int i = window.pixels; i % kPad != 0; ++i) levels[static_cast<size_t>(i)] = 0;
+    for (int i = window.pixels; i % kWindowPad != 0; ++i) levels[static_cast<size_t>(i)] = 0;
     const double floor_1 = FloorBeside(image, run.line, first, last, noise_1);
     std::optional<ProfileFit> fit =
         FromMoments(Weigh(levels, window, floor_1), window, 0.5 * twice_middle);
