@@ -12,14 +12,15 @@
 namespace geon::attention {
 
 struct TeachingOptions {
-  double min_luminance_1 = 12.0;  // darker samples carry no colour
-  int clipped_level = 250;        // pixels with a channel at or above are not learned from
-  int min_samples = 100;          // fewer usable pixels of the target are refused
-  // Rim of the ellipse, as Mahalanobis distance: the best one between these is taken.
-  double min_reach_1 = 1.5;
-  double max_reach_1 = 4.0;
-  // Standard deviation of chromaticity that a camera's noise has at least.
-  double noise_floor_1 = 0.02;
+  int dark_level = 20;      // pixels whose largest channel is below carry no colour
+  int clipped_level = 250;  // pixels with a channel at or above have lost it
+  int min_samples = 100;    // fewer usable pixels of the target are refused
+  // To take a share of the background is as bad as to miss so many times that share of the target.
+  double background_weight_1 = 3.0;
+  // Share of the background that may have any colour whatever: what no picture shows yet.
+  double unseen_1 = 0.1;
+  // What a simpler and wider model may cost, as a share of the target.
+  double tolerance_1 = 0.003;
 
   // What is wrong with the values; nothing when they are good.
   std::optional<std::string> Validate() const;
@@ -47,14 +48,20 @@ struct LearnedColor {
   TeachingReport report;
 };
 
-// Learns a colour model from samples: the ellipse of the target's chromaticity, as large as tells
-// it best from everything else in the pictures.
+// Learns a colour model from samples: the polygon of chromaticity, as a cone of planes through
+// black, that tells the target best from everything else in the pictures. Every picture counts the
+// same, however large its target is. Dark and clipped pixels are not learned from; the model says
+// "cannot tell" of them.
+//
+//   1. Histograms of chromaticity of either side, a bin smoothed with its neighbours.
+//   2. What a bin is worth: its share of the target less background_weight_1 times its share of the
+//      background. Positive is where a Bayes ratio of the two would say target.
+//   3. The polygon of the greatest worth (fit_color_region.h). A box that holds some background
+//      teaches the same: there the background's share is the greater one.
 //
 // Source: thesis 4.1.2 picks thresholds by hand from the colour histogram of a taught object; here
-// the rim is found by counting both sides. Deviation: in chrominance over luminance (4.4-4.6), so
-// that the model holds when the light changes in strength; the ellipse becomes a cone of planes
-// through black. Fails when too few usable pixels are
-// given, or none of the colour is told apart from the background.
+// both sides are counted. Deviation: planes through black, so that the model holds when the light
+// changes in strength. Fails when too few usable pixels are given, or no colour marks the target.
 Result<LearnedColor> LearnColorModel(const std::vector<TeachingSample>& samples,
                                      const std::string& name, const TeachingOptions& options = {});
 

@@ -132,7 +132,7 @@ TEST(LearnColorModelTest, BrokenContractsThrow) {
   sample.is_target.pop_back();
   EXPECT_THROW((void)LearnColorModel({sample}, "short"), ContractViolation);
   TeachingOptions options;
-  options.max_reach_1 = 0.1;
+  options.background_weight_1 = 0.0;
   EXPECT_THROW((void)LearnColorModel({}, "none", options), ContractViolation);
 }
 
