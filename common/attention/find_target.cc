@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "attention/resolve_color.h"
@@ -49,7 +50,7 @@ std::optional<std::string> AttentionOptions::Validate() const {
   if (clipped_level < 1 || clipped_level > 255) {
     return "clipped_level is " + std::to_string(clipped_level) + ", must be 1 ... 255";
   }
-  return std::nullopt;
+  return choice.Validate();
 }
 
 TargetFinder::TargetFinder(ColorModel model, const AttentionOptions& options, SimdLevel level)
@@ -75,8 +76,13 @@ TargetSighting TargetFinder::Find(const sensor::Image& image) const {
 
   sighting.mask.assign(static_cast<size_t>(image.width_px) * static_cast<size_t>(image.height_px),
                        0);
-  if (blobs.empty() || sighting.blobs.front().pixels < options_.min_target_pixels) return sighting;
-  const int target = static_cast<int>(order.front());
+  const std::optional<size_t> chosen =
+      ChooseTarget(sighting.blobs, image.width_px, image.height_px, options_.min_target_pixels,
+                   options_.choice);
+  if (!chosen) return sighting;
+  const int target = static_cast<int>(order[*chosen]);
+  const auto place = sighting.blobs.begin() + static_cast<std::ptrdiff_t>(*chosen);
+  std::rotate(sighting.blobs.begin(), place, place + 1);
   sighting.target = sighting.blobs.front();
   const sensor::PixelBox& box = sighting.target->box;
   Paint(groups, target, image.width_px, &sighting.mask);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "attention/blobs.h"
+#include "attention/choose_target.h"
 #include "attention/classify_pixels.h"
 #include "attention/color_model.h"
 #include "sensor/image.h"
@@ -19,6 +20,7 @@ struct AttentionOptions {
   int erosion_neighbors = 8;
   // "A blob large enough to be considered a geon" (4.2.2), after erosion.
   int min_target_pixels = 60;
+  ChoiceOptions choice;  // between several blobs
   // A pixel with a channel at or above this level is clipped: its colour is lost.
   int clipped_level = 250;
 
@@ -35,10 +37,11 @@ struct TouchedEdges {
 struct TargetSighting {
   int width_px = 0;
   int height_px = 0;
-  std::vector<Blob> blobs;  // of the target's colour, after erosion, largest first
+  std::vector<Blob> blobs;  // of the target's colour, after erosion; the target first,
+                            // the others by size
   int color_pixels = 0;     // of the target's colour, before erosion
 
-  // Largest blob of at least min_target_pixels; the rest below is about it, and empty without it.
+  // The blob chosen (choose_target.h); the rest below is about it, and empty without it.
   std::optional<Blob> target;
   std::vector<uint8_t> mask;                            // width x height, 255 on the target, else 0
   Eigen::Vector2d bottom_px = Eigen::Vector2d::Zero();  // its bottommost point (u, v)
@@ -47,7 +50,7 @@ struct TargetSighting {
 };
 
 // Segments images by colour, lets the pixels around settle what colour alone does not say
-// (resolve_color.h), erodes, and takes the largest blob.
+// (resolve_color.h), erodes, and chooses a blob.
 //
 // Source: thesis 4.1.2 (binarisation), 4.2.1 (erosion, blob analysis), 4.2.3 (point x).
 class TargetFinder {
