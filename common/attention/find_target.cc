@@ -76,9 +76,8 @@ TargetSighting TargetFinder::Find(const sensor::Image& image) const {
 
   sighting.mask.assign(static_cast<size_t>(image.width_px) * static_cast<size_t>(image.height_px),
                        0);
-  const std::optional<size_t> chosen =
-      ChooseTarget(sighting.blobs, image.width_px, image.height_px, options_.min_target_pixels,
-                   options_.choice);
+  const std::optional<size_t> chosen = ChooseTarget(sighting.blobs, image.width_px, image.height_px,
+                                                    options_.min_target_pixels, options_.choice);
   if (!chosen) return sighting;
   const int target = static_cast<int>(order[*chosen]);
   const auto place = sighting.blobs.begin() + static_cast<std::ptrdiff_t>(*chosen);

@@ -9,6 +9,7 @@ void AddExperimentCommand(CLI::App& app, int* exit_code) {
   command->require_subcommand(1);
   AddExperimentShapesCommand(*command, exit_code);
   AddExperimentBenchCommand(*command, exit_code);
+  AddExperimentColorCommand(*command, exit_code);
   AddExperimentMergeCommand(*command, exit_code);
   AddExperimentTuneCommand(*command, exit_code);
 }

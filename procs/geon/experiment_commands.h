@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "procs/geon/bench_record.h"
+#include "procs/geon/experiment_color_record.h"
 #include "procs/geon/experiment_record.h"
 #include "procs/geon/experiment_shapes.h"
 
@@ -12,6 +13,7 @@ namespace geon::cli {
 // The subcommands of `geon experiment`, each in experiment_<name>_command.cc.
 void AddExperimentShapesCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentBenchCommand(CLI::App& experiment, int* exit_code);
+void AddExperimentColorCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentMergeCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentTuneCommand(CLI::App& experiment, int* exit_code);
 
@@ -33,6 +35,8 @@ int DeliverText(const RecordTexts& texts, double seconds, bool json,
 int Deliver(const ShapeRecord& record, double seconds, bool json,
             const std::filesystem::path& output);
 int Deliver(const BenchRecord& record, double seconds, bool json,
+            const std::filesystem::path& output);
+int Deliver(const ColorRecord& record, double seconds, bool json,
             const std::filesystem::path& output);
 
 }  // namespace geon::cli

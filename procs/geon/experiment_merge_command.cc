@@ -55,6 +55,9 @@ int Merge(const MergeArguments& arguments) {
   if (values.front().value("experiment", "") == kBenchExperiment) {
     return MergeAs<BenchRecord>(values, arguments, ParseBenchRecord, MergeBenchRecords);
   }
+  if (values.front().value("experiment", "") == kColorExperiment) {
+    return MergeAs<ColorRecord>(values, arguments, ParseColorRecord, MergeColorRecords);
+  }
   return MergeAs<ShapeRecord>(values, arguments, ParseRecord, MergeRecords);
 }
 
