@@ -2,7 +2,8 @@
 # programs, GoogleTest's on top for the tests. Files still include what they use.
 set(geon_common_headers <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <optional>
   <span> <string> <string_view> <vector> <Eigen/Core> <Eigen/Geometry>)
-file(WRITE ${CMAKE_BINARY_DIR}/precompiled.cc "")
+# Written when it changes only: all that is compiled depends on it.
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cc CONTENT "")
 add_library(geon_precompiled STATIC ${CMAKE_BINARY_DIR}/precompiled.cc)
 target_link_libraries(geon_precompiled PRIVATE geon_compiler Eigen3::Eigen)
 target_precompile_headers(geon_precompiled PRIVATE ${geon_common_headers})
