@@ -2,11 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <fstream>
 #include <iostream>
 
+#include "config/text_file.h"
 #include "geon_build.h"
 
 namespace geon::config {
@@ -91,14 +89,8 @@ Result<YamlDocument> LoadRobotFile(const std::filesystem::path& file,
 }
 
 std::string FileHash(const std::filesystem::path& file) {
-  uint64_t hash = 0xcbf29ce484222325ULL;
-  std::ifstream stream(file, std::ios::binary);
-  for (char byte = 0; stream.get(byte);) {
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
-  }
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return text.data();
+  const Result<std::string> bytes = ReadFile(file);
+  return ContentHash(bytes.ok() ? *bytes : "");
 }
 
 std::filesystem::path InstalledFile(const std::string& relative) {

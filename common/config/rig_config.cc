@@ -3,6 +3,8 @@
 #include <array>
 
 #include "base/angles.h"
+#include "config/calibrated_rig_file.h"
+#include "config/text_file.h"
 
 namespace geon::config {
 
@@ -64,8 +66,9 @@ LaserMount ReadLaser(YamlSection section, const Eigen::Vector3d& p_TB_m,
 
 }  // namespace
 
-geometry::SensorRig ReadSensorRig(YamlSection rig) {
+geometry::SensorRig ReadDrawnRig(YamlSection rig) {
   geometry::SensorRig result;
+  rig.Ignore("calibrated");
 
   YamlSection ptu = rig.Child("ptu");
   const Eigen::Vector3d p_RP_m = ReadPosition(ptu);
@@ -89,6 +92,35 @@ geometry::SensorRig ReadSensorRig(YamlSection rig) {
   const Eigen::Vector3d p_RF_m = ReadPosition(floor);
   result.X_RF = MakeTransform(RotationAboutY(ReadPitchDown(floor)) * CameraAxesInBody(), p_RF_m);
   result.floor_camera = ReadCamera(floor);
+  return result;
+}
+
+RobotRig ReadRobotRig(YamlSection rig, const std::filesystem::path& robot_file) {
+  RobotRig result;
+  result.rig = ReadDrawnRig(rig);
+  if (!rig.Has("calibrated")) return result;
+  std::string name;
+  rig.Read("calibrated", &name);
+  const std::filesystem::path file = robot_file.parent_path() / name;
+  const auto refuse = [&](const Status& status) { rig.Fail("calibrated: " + status.message()); };
+  const Result<std::string> text = ReadFile(file, 1U << 20U);
+  if (!text.ok()) {
+    refuse(text.status());
+    return result;
+  }
+  const Result<geometry::CalibratedRig> calibrated =
+      ParseCalibratedRig(*text, file.string(), result.rig);
+  if (!calibrated.ok()) {
+    refuse(calibrated.status());
+    return result;
+  }
+  const Status plausible = CheckAgainstDrawing(calibrated->rig, result.rig).In(file.string());
+  if (!plausible.ok()) {
+    refuse(plausible);
+    return result;
+  }
+  result.rig = calibrated->rig;
+  result.source = "calibrated " + calibrated->date + " (" + file.string() + ")";
   return result;
 }
 

@@ -15,10 +15,11 @@ Result<ColorCameraConfig> LoadColorCameraConfig(const config::DaemonArguments& a
 
   ColorCameraConfig config;
   config.bus_url = config::ReadBusUrl(arguments, root.Child("bus"));
-  const geometry::SensorRig rig = config::ReadSensorRig(root.Child("rig"));
+  const config::RobotRig rig = config::ReadRobotRig(root.Child("rig"), arguments.config_file);
+  config.rig_source = rig.source;
   config::YamlSection section = root.Child(name);
   config.source =
-      ReadFrameSource(section, role == Role::kHead ? rig.color_camera : rig.floor_camera);
+      ReadFrameSource(section, role == Role::kHead ? rig.rig.color_camera : rig.rig.floor_camera);
   config.source.format = sensor::PixelFormat::kBgr8;
   section.ReadOptional("max_rate_hz", &config.max_rate_hz);
   section.Check(config.max_rate_hz > 0.0, "max_rate_hz", "must be positive");

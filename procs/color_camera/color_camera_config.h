@@ -19,6 +19,7 @@ struct ColorCameraConfig {
   double max_rate_hz = 10.0;          // frames that come faster are left out
   sensor::PixelFormat encoding = sensor::PixelFormat::kBgr8;  // or kJpeg
   int jpeg_quality = 90;
+  std::string rig_source;  // as drawn, or by which calibration
   std::string bus_url;
 };
 

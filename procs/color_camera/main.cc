@@ -15,6 +15,7 @@ int Serve(const ColorCameraConfig& config, Role role, const geon::messaging::Dae
     spdlog::error("{}", source.message());
     return 2;
   }
+  spdlog::info("the rig is taken {}", config.rig_source);
   const auto channel =
       role == Role::kHead ? geon::messaging::kColorImage : geon::messaging::kFloorImage;
   const geon::color_camera::ColorCameraNode node(config, channel, *std::move(source), daemon.bus,

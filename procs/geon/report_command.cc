@@ -25,7 +25,8 @@ struct ReportArguments {
 Result<geometry::SensorRig> LoadRig(const std::string& robot_file) {
   Result<config::YamlDocument> document = config::LoadRobotFile(robot_file, {"rig"});
   if (!document.ok()) return document.status();
-  const geometry::SensorRig rig = config::ReadSensorRig(document->root().Child("rig"));
+  const geometry::SensorRig rig =
+      config::ReadRobotRig(document->root().Child("rig"), robot_file).rig;
   if (const Status status = document->Finish(); !status.ok()) return status;
   return rig;
 }

@@ -36,7 +36,7 @@ sensor::Image ImageOf(sim::Frame frame, const sim::Exposure& exposure) {
 Result<std::unique_ptr<LockstepRobot>> LockstepRobot::Create(
     const LockstepSettings& settings, const recognizer::StripeCalibration& calibration,
     const sim::World& world, uint64_t seed) {
-  auto simulated = sim::SimulatedRobot::Create(world, settings.rig, settings.sim, seed);
+  auto simulated = sim::SimulatedRobot::Create(world, settings.drawn_rig, settings.sim, seed);
   if (!simulated.ok()) return simulated.status();
   return std::unique_ptr<LockstepRobot>(
       new LockstepRobot(settings, calibration, std::move(*simulated)));

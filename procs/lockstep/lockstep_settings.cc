@@ -13,7 +13,8 @@ Result<LockstepSettings> LoadLockstepSettings(const std::filesystem::path& robot
   if (!document.ok()) return document.status();
   config::YamlSection root = document->root();
   LockstepSettings settings;
-  settings.rig = config::ReadSensorRig(root.Child("rig"));
+  settings.drawn_rig = config::ReadDrawnRig(root.Child("rig"));
+  settings.rig = config::ReadRobotRig(root.Child("rig"), robot_file).rig;
   ptu::ReadPtuSection(root.Child("ptu"), &settings.ptu);
   base::ReadBaseSection(root.Child("base"), &settings.base);
   stripe_camera::ReadStripeCameraSection(root.Child("stripe_camera"), settings.rig,

@@ -13,7 +13,8 @@ namespace geon::lockstep {
 
 // Everything the daemons of one robot are configured with, and what the simulated robot is like.
 struct LockstepSettings {
-  geometry::SensorRig rig;
+  geometry::SensorRig drawn_rig;  // what the simulated individual was built from
+  geometry::SensorRig rig;        // what the programs work with
   ptu::PtuConfig ptu;
   base::BaseConfig base;
   stripe_camera::StripeCameraConfig stripe_camera;

@@ -1,3 +1,5 @@
+#include <spdlog/spdlog.h>
+
 #include <optional>
 
 #include "messaging/daemon.h"
@@ -7,6 +9,7 @@ namespace {
 
 int Serve(const geon::planner::PlannerConfig& config, bool exit_when_done,
           const geon::messaging::Daemon& daemon) {
+  spdlog::info("the rig is taken {}", config.rig_source);
   const geon::planner::PlannerNode node(config, daemon.bus, daemon.loop, daemon.health, [&] {
     if (exit_when_done) daemon.loop->Stop();
   });

@@ -119,7 +119,10 @@ Result<PlannerConfig> LoadPlannerConfig(const config::DaemonArguments& arguments
   if (!document.ok()) return document.status();
   PlannerConfig config;
   config.bus_url = config::ReadBusUrl(arguments, document->root().Child("bus"));
-  config.rig = config::ReadSensorRig(document->root().Child("rig"));
+  const config::RobotRig rig =
+      config::ReadRobotRig(document->root().Child("rig"), arguments.config_file);
+  config.rig = rig.rig;
+  config.rig_source = rig.source;
   ReadPlannerSection(document->root().Child("planner"), arguments.config_file, &config.mission);
   if (Status status = document->Finish(); !status.ok()) return status;
   return config;

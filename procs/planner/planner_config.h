@@ -13,6 +13,7 @@ namespace geon::planner {
 struct PlannerConfig {
   mission::MissionOptions mission;
   geometry::SensorRig rig;
+  std::string rig_source;  // as drawn, or by which calibration
   std::string bus_url;
 };
 

@@ -12,6 +12,7 @@ int Serve(const geon::recognizer::RecognizerConfig& config, const geon::messagin
     spdlog::error("{}", calibration.message());
     return 3;
   }
+  spdlog::info("the rig is taken {}", config.rig_source);
   if (*calibration) {
     daemon.health->SetCalibration((*calibration)->hash, (*calibration)->directory);
   }

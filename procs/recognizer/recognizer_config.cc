@@ -15,7 +15,9 @@ Result<RecognizerConfig> Load(const std::filesystem::path& robot_file,
   Result<config::YamlDocument> document = config::LoadRobotFile(robot_file, sections);
   if (!document.ok()) return document.status();
   RecognizerConfig config;
-  config.rig = config::ReadSensorRig(document->root().Child("rig"));
+  const config::RobotRig rig = config::ReadRobotRig(document->root().Child("rig"), robot_file);
+  config.rig = rig.rig;
+  config.rig_source = rig.source;
   ReadRecognizerSection(document->root().Child("recognizer"), &config);
   if (arguments != nullptr) {
     config.bus_url = config::ReadBusUrl(*arguments, document->root().Child("bus"));

@@ -14,6 +14,7 @@ namespace geon::recognizer {
 
 struct RecognizerConfig {
   geometry::SensorRig rig;
+  std::string rig_source;  // as drawn, or by which calibration
   std::filesystem::path calibration_dir;
   Ranging ranging = Ranging::kLookUpTable;
   ScanAssemblerOptions assembler;

@@ -57,7 +57,7 @@ Result<SimulatorSettings> SimulatorArguments::ReadSettings() const {
   settings.world = *loaded;
   const Result<config::YamlDocument> robot = config::LoadRobotFile(config_file_, {"rig"});
   if (!robot.ok()) return robot.status();
-  settings.rig = config::ReadSensorRig(robot->root().Child("rig"));
+  settings.rig = config::ReadDrawnRig(robot->root().Child("rig"));
   if (const Status status = robot->Finish(); !status.ok()) return status;
   const Result<sim::SimOptions> options = sim::LoadSimOptions(sim_config_file_);
   if (!options.ok()) return options.status();

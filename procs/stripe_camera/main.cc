@@ -12,6 +12,7 @@ int Serve(const geon::stripe_camera::StripeCameraConfig& config,
     spdlog::error("{}", source.message());
     return 2;
   }
+  spdlog::info("the rig is taken {}", config.rig_source);
   const geon::stripe_camera::StripeCameraNode node(config, *std::move(source), daemon.bus,
                                                    daemon.loop, daemon.health);
   daemon.loop->Run();

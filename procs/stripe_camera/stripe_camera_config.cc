@@ -58,8 +58,9 @@ Result<StripeCameraConfig> LoadStripeCameraConfig(const config::DaemonArguments&
 
   StripeCameraConfig config;
   config.bus_url = config::ReadBusUrl(arguments, root.Child("bus"));
-  ReadStripeCameraSection(root.Child("stripe_camera"), config::ReadSensorRig(root.Child("rig")),
-                          &config);
+  const config::RobotRig rig = config::ReadRobotRig(root.Child("rig"), arguments.config_file);
+  config.rig_source = rig.source;
+  ReadStripeCameraSection(root.Child("stripe_camera"), rig.rig, &config);
   if (Status status = document->Finish(); !status.ok()) return status;
 
   if (!flags.source.empty()) config.source.source = flags.source;

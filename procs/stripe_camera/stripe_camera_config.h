@@ -17,6 +17,7 @@ struct StripeCameraConfig {
   device::SerialLinkOptions lasers;
   device::LaserDriverOptions laser_driver;
   StripeCaptureOptions capture;
+  std::string rig_source;  // as drawn, or by which calibration
   std::string bus_url;
 };
 

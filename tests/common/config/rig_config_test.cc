@@ -18,7 +18,7 @@ SensorRig InstalledRig() {
   Result<YamlDocument> document =
       LoadRobotFile(std::filesystem::path(GEON_SOURCE_DIR) / "scripts/config/robot.yaml", {"rig"});
   EXPECT_TRUE(document.ok()) << document.message();
-  const SensorRig rig = ReadSensorRig(document->root().Child("rig"));
+  const SensorRig rig = ReadDrawnRig(document->root().Child("rig"));
   EXPECT_TRUE(document->Finish().ok()) << document->Finish().message();
   return rig;
 }
@@ -68,7 +68,7 @@ TEST(RigConfigTest, ErrorsNameTheLineOfTheRig) {
       "  horizontal_laser: {position_m: [1, 5, 0], crosses_axis_m: 1}\n"
       "  vertical_laser: {position_m: [0, 0.1, 0], crosses_axis_m: 1, color: red}\n",
       "robot.yaml");
-  ReadSensorRig(document->root().Child("rig"));
+  ReadDrawnRig(document->root().Child("rig"));
   const std::string message = document->Finish().message();
   EXPECT_THAT(message, HasSubstr("robot.yaml:2: 'position_m' must be a list of 3 finite numbers"));
   EXPECT_THAT(message, HasSubstr("robot.yaml:3: 'focal_px' must be positive"));
