@@ -12,6 +12,7 @@ enum ExitCode { kOk = 0, kFailed = 1, kUsage = 2, kNotReady = 3 };
 void AddUpCommand(CLI::App& app, int* exit_code);
 void AddDownCommand(CLI::App& app, int* exit_code);
 void AddStatusCommand(CLI::App& app, int* exit_code);
+void AddDoctorCommand(CLI::App& app, int* exit_code);
 void AddWatchCommand(CLI::App& app, int* exit_code);
 void AddSegmentCommand(CLI::App& app, int* exit_code);
 void AddTeachCommand(CLI::App& app, int* exit_code);

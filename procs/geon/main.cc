@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   geon::cli::AddUpCommand(app, &exit_code);
   geon::cli::AddDownCommand(app, &exit_code);
   geon::cli::AddStatusCommand(app, &exit_code);
+  geon::cli::AddDoctorCommand(app, &exit_code);
   geon::cli::AddWatchCommand(app, &exit_code);
   geon::cli::AddRecognizeCommand(app, &exit_code);
   geon::cli::AddLogCommand(app, &exit_code);
