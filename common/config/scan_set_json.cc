@@ -97,6 +97,19 @@ sensor::Laser ReadLaserName(const Node& node) {
   node.Refuse("must be \"horizontal\" or \"vertical\"");
 }
 
+std::vector<double> ReadColors(const Node& node, size_t points) {
+  if (node.ArraySize() != points) {
+    node.Refuse("has " + std::to_string(node.ArraySize()) + " numbers for " +
+                std::to_string(points) + " points");
+  }
+  std::vector<double> on_color_1;
+  for (size_t i = 0; i < points; ++i) {
+    on_color_1.push_back(node.At(i).Number());
+    if (on_color_1[i] < 0.0 || on_color_1[i] > 1.0) node.At(i).Refuse("must be between 0 and 1");
+  }
+  return on_color_1;
+}
+
 sensor::RangeProfile ReadStripe(const Node& node, size_t index) {
   sensor::RangeProfile profile;
   profile.stripe_index = static_cast<int32_t>(index);
@@ -123,6 +136,7 @@ sensor::RangeProfile ReadStripe(const Node& node, size_t index) {
     }
     profile.p_L_m.push_back(ReadPoint(points.At(i)));
   }
+  if (node.Has("color")) profile.on_color_1 = ReadColors(node.At("color"), count);
   return profile;
 }
 
@@ -161,6 +175,7 @@ json StripeJson(const sensor::RangeProfile& profile) {
                  {"points_m", json::array()}};
   for (const Eigen::Vector3d& p : profile.p_L_m) stripe["points_m"].push_back(PointJson(p));
   if (profile.laser_origin_L_m) stripe["laser_origin_m"] = PointJson(*profile.laser_origin_L_m);
+  if (!profile.on_color_1.empty()) stripe["color"] = profile.on_color_1;
   if (profile.rotation_LB) stripe["camera_rotation_LB"] = RotationJson(*profile.rotation_LB);
   return stripe;
 }

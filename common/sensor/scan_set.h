@@ -37,6 +37,8 @@ struct RangeProfile {
   // missing pixel is a gap (no return, or occluded).
   std::vector<int> pixel;
   std::vector<Eigen::Vector3d> p_L_m;  // same size as pixel
+  // How likely the target's colour is where each point lies, 0..1; empty: not known.
+  std::vector<double> on_color_1;
   // Rotation of the B/W camera at this stripe; the scan's own when absent.
   std::optional<Eigen::Matrix3d> rotation_LB;
   std::optional<Eigen::Vector3d> laser_origin_L_m;

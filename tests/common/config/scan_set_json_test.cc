@@ -45,6 +45,21 @@ TEST(ScanSetJson, ReadsWhatTheFormatHolds) {
   EXPECT_TRUE(profile.rotation_LB.has_value());
 }
 
+TEST(ScanSetJson, MayTellThePointsColours) {
+  const std::string stripe = kGoodStripe;
+  const auto with = [&](const std::string& colors) {
+    return WithStripe(stripe.substr(0, stripe.size() - 1) + ",\"color\":" + colors + "}");
+  };
+  const Result<sensor::ScanSet> scan = ParseScanSet(with("[0.25,1]"), "x.json");
+  ASSERT_TRUE(scan.ok()) << scan.message();
+  EXPECT_EQ(scan->profiles[0].on_color_1, (std::vector<double>{0.25, 1.0}));
+  EXPECT_EQ(ParseScanSet(SerializeScanSet(*scan), "x.json")->profiles[0].on_color_1,
+            scan->profiles[0].on_color_1);
+  EXPECT_TRUE(ParseScanSet(WithStripe(stripe), "x.json")->profiles[0].on_color_1.empty());
+  EXPECT_THAT(ErrorOf(with("[0.25]")), HasSubstr("color: has 1 numbers for 2 points"));
+  EXPECT_THAT(ErrorOf(with("[0.25,1.5]")), HasSubstr("must be between 0 and 1"));
+}
+
 TEST(ScanSetJson, WritingAndReadingGivesTheSameBits) {
   sensor::ScanSet scan;
   scan.rotation_LB << 0, 0, 1, -1, 0, 0, 0, -1, 0;
