@@ -86,9 +86,12 @@ EvidenceList MeasureEvidence(const TargetView& view, bool with_names) {
 
 EvidenceList MeasureScan(const sensor::ScanSet& scan, const RecognitionOptions& options,
                          bool with_names) {
-  const auto region = FindVerticalRegion(scan, options.background);
-  const TargetView view = FindTargetView(scan, region, FindRegionProfiles(scan, region),
-                                         options.background, options.segments);
+  const BackgroundOptions background = options.BackgroundChosen();
+  const auto region = FindVerticalRegion(scan, background);
+  const std::vector<RegionProfile> parts = FindRegionProfiles(scan, region);
+  const TargetView view =
+      FindTargetView(scan, region, parts, LabelPoints(scan, region, parts, background), background,
+                     options.segments);
   return MeasureEvidence(view, with_names);
 }
 

@@ -28,6 +28,13 @@ std::optional<Smoothing> SmoothingFromString(std::string_view name) {
   return std::nullopt;
 }
 
+BackgroundOptions RecognitionOptions::BackgroundChosen() const {
+  BackgroundOptions chosen = background;
+  if (method == Method::kThesis) chosen.method = BackgroundMethod::kThesis;
+  chosen.method = background_method.value_or(chosen.method);
+  return chosen;
+}
+
 void RecognitionOptions::Validate() const {
   smoothing.Validate();
   background.Validate();

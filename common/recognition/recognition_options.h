@@ -33,6 +33,8 @@ struct RecognitionOptions {
   Method method = Method::kEvidence;
   SmoothingOptions smoothing;
   BackgroundOptions background;
+  // Nothing: the thesis's tests with Method::kThesis, else background.method.
+  std::optional<BackgroundMethod> background_method;
   SegmentOptions segments;
   CurvatureMethod curvature = CurvatureMethod::kOGorman;
   int samples = 105;  // equal steps of arc length a profile is resampled to
@@ -40,6 +42,8 @@ struct RecognitionOptions {
   PolylineOptions polyline;
   BendingOptions bending;
   TaperingOptions tapering;
+  // `background` with the method that was chosen.
+  BackgroundOptions BackgroundChosen() const;
   void Validate() const;  // throws ContractViolation
 };
 

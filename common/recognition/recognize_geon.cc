@@ -128,13 +128,16 @@ sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const Recognition
   verdict.method = ToString(options.method);
 
   // 1. and 2. Smoothing, background removal: sideways, then below.
-  const std::optional<VerticalRegion> region = FindVerticalRegion(scan, options.background);
+  const BackgroundOptions background = options.BackgroundChosen();
+  const std::optional<VerticalRegion> region = FindVerticalRegion(scan, background);
   const std::vector<RegionProfile> parts = FindRegionProfiles(scan, region);
   std::vector<TargetProfile> targets;
   targets.reserve(parts.size());
-  for (const RegionProfile& part : parts) {
-    targets.push_back(
-        FindTargetProfile(part, options.smoothing, options.background, options.segments));
+  const ScanLabels labels = LabelPoints(scan, region, parts, background);
+  const bool fitted = background.method == BackgroundMethod::kFitted;
+  for (size_t k = 0; k < parts.size(); ++k) {
+    targets.push_back(FindTargetProfile(parts[k], options.smoothing, background, options.segments,
+                                        fitted ? labels.on_target[k] : std::vector<bool>{}));
   }
   // 3. Corners, curves and lines.
   verdict.profiles.reserve(targets.size());
@@ -154,7 +157,7 @@ sensor::GeonVerdict RecognizeGeon(const sensor::ScanSet& scan, const Recognition
   if (options.method == Method::kThesis) {
     DecideGeon(&verdict);
   } else {
-    WeighEvidence(FindTargetView(scan, region, parts, options.background, options.segments),
+    WeighEvidence(FindTargetView(scan, region, parts, labels, background, options.segments),
                   &verdict);
   }
   return verdict;

@@ -28,6 +28,7 @@ RegionProfile FindRegionProfile(const sensor::RangeProfile& profile, const senso
   part.pixel.resize(n);
   part.p_L_m.resize(n);
   part.depth_m.resize(n);
+  part.on_color_1.resize(profile.on_color_1.size());
   const Eigen::Vector3d p_LB_m = part.camera.p_LB_m, forward_L = part.camera.R_LB.col(2);
   const Sides sides = region ? SidesOf(*region, CameraAtTarget(scan)) : Sides{forward_L, forward_L};
   size_t kept = 0;
@@ -37,12 +38,14 @@ RegionProfile FindRegionProfile(const sensor::RangeProfile& profile, const senso
     part.pixel[kept] = profile.pixel[i];
     part.p_L_m[kept] = profile.p_L_m[i];
     part.depth_m[kept] = depth_m;
+    if (!part.on_color_1.empty()) part.on_color_1[kept] = profile.on_color_1[i];
     const bool within = sides.left_L.dot(p_BoP_L) >= 0.0 && sides.right_L.dot(p_BoP_L) >= 0.0;
     if (within && depth_m > 0.0) ++kept;  // else the next one takes its place
   }
   part.pixel.resize(kept);
   part.p_L_m.resize(kept);
   part.depth_m.resize(kept);
+  if (!part.on_color_1.empty()) part.on_color_1.resize(kept);
   part.noise_m = DepthNoise(part.pixel, part.depth_m);
   return part;
 }

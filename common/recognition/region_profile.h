@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "recognition/bw_camera.h"
@@ -19,8 +20,9 @@ struct RegionProfile {
   // One of each a point, in the order of the pixels.
   std::vector<int> pixel;
   std::vector<Eigen::Vector3d> p_L_m;
-  std::vector<double> depth_m;  // along z of `camera`
-  double noise_m = 0.0;         // of the depths (profile_noise.h)
+  std::vector<double> depth_m;     // along z of `camera`
+  std::vector<double> on_color_1;  // as the profile's; empty: not known
+  double noise_m = 0.0;            // of the depths (profile_noise.h)
 };
 
 // Source: thesis section 5.1, figure 5.3. Points behind the camera are dropped. The thesis smooths

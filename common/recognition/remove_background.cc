@@ -47,6 +47,12 @@ std::optional<ColumnScale> FitColumnScale(const sensor::ScanSet& scan) {
 
 }  // namespace
 
+std::optional<BackgroundMethod> BackgroundMethodFromString(std::string_view name) {
+  if (name == "thesis") return BackgroundMethod::kThesis;
+  if (name == "fitted") return BackgroundMethod::kFitted;
+  return std::nullopt;
+}
+
 void BackgroundOptions::Validate() const {
   Require(margin_px >= 0, "background margin_px", margin_px, "must not be negative");
   Require(std::isfinite(floor_margin_m), "floor_margin_m", floor_margin_m, "must be finite");
@@ -63,7 +69,7 @@ std::optional<VerticalRegion> FindVerticalRegion(const sensor::ScanSet& scan,
                         (right_px - scale->centre_px) / scale->focal_px};
 }
 
-std::vector<bool> FindTargetPoints(const sensor::RangeProfile& profile, const sensor::ScanSet& scan,
+std::vector<bool> TestTargetPoints(const sensor::RangeProfile& profile, const sensor::ScanSet& scan,
                                    const std::optional<VerticalRegion>& region,
                                    const BackgroundOptions& options) {
   const BwCamera camera = CameraAtTarget(scan);
@@ -77,17 +83,18 @@ std::vector<bool> FindTargetPoints(const sensor::RangeProfile& profile, const se
 }
 
 sensor::RangeProfile RemoveBackground(const sensor::RangeProfile& profile,
-                                      const sensor::ScanSet& scan,
-                                      const std::optional<VerticalRegion>& region,
-                                      const BackgroundOptions& options) {
-  const std::vector<bool> on_target = FindTargetPoints(profile, scan, region, options);
+                                      const std::vector<bool>& on_target) {
+  Require(on_target.size() == profile.p_L_m.size(), "RemoveBackground: the number of labels",
+          on_target.size(), "must be that of the profile's points");
   sensor::RangeProfile target = profile;
   target.pixel.clear();
   target.p_L_m.clear();
+  target.on_color_1.clear();
   for (size_t i = 0; i < on_target.size(); ++i) {
     if (!on_target[i]) continue;
     target.pixel.push_back(profile.pixel[i]);
     target.p_L_m.push_back(profile.p_L_m[i]);
+    if (!profile.on_color_1.empty()) target.on_color_1.push_back(profile.on_color_1[i]);
   }
   target.on_target = static_cast<int32_t>(target.pixel.size());
   return target;

@@ -5,96 +5,148 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "base/angles.h"
-#include "recognition/bw_camera.h"
+#include "recognition/median.h"
 
 namespace geon::recognition {
 namespace {
 
-constexpr double kReach_m = 0.03;        // points further from z = 0 are not support
-constexpr double kReachWithin_m = 0.02;  // ... within the region of interest, where the target is
-constexpr size_t kFewestOnSupport = 40;
-constexpr double kTiltPrior_rad = RadiansFromDegrees(3.0);
+constexpr int kFewestOnSupport = 40;
+constexpr double kTiltPrior_rad = RadiansFromDegrees(2.0);
 constexpr double kOffsetPrior_m = 0.01;
-constexpr double kPointSigma_m = 0.003;
-constexpr double kCorrelated = 10.0;  // neighbouring points err alike: so many count as one
-constexpr size_t kEnough = 200;       // of more candidates only every n-th is looked at
-// Tukey's biweight shrinks from the spread of the candidates to that of a noisy plane.
-constexpr std::array<double, 6> kTukey_m = {0.03, 0.02, 0.015, 0.012, 0.010, 0.010};
+constexpr double kGateSigmas = 2.5;    // of the prior: what may lie on the support
+constexpr double kSteepest_1 = 0.3;    // of a block's direction: steeper is no support
+constexpr size_t kEnoughBeside = 12;   // blocks beside the target
+constexpr double kFlat_m = 0.002;      // what a support is expected to be off a plane
+constexpr double kOnSigmas = 3.0;      // of flatness and noise: what lies on a plane
+constexpr double kBelowCounts = 10.0;  // a block below a plane outweighs so many on it
+constexpr double kRoughest_m = 0.004;  // a support is flatter than that
+constexpr int kSamples = 60;
+constexpr double kCorrelated = 4.0;  // neighbouring blocks err alike: so many count as one
+constexpr std::array<double, 4> kTukeySigmas = {6.0, 4.0, 3.5, 3.5};
 
-std::vector<Eigen::Vector3d> PointsNearSupport(const sensor::ScanSet& scan,
-                                               const std::optional<VerticalRegion>& region) {
-  const BwCamera camera = CameraAtTarget(scan);
-  std::vector<Eigen::Vector3d> candidates;
-  for (const sensor::RangeProfile& profile : scan.profiles) {
-    for (const Eigen::Vector3d& p_L : profile.p_L_m) {
-      if (std::abs(p_L.z()) > kReach_m) continue;
-      const bool high = std::abs(p_L.z()) > kReachWithin_m;
-      if (high && region && region->Holds(camera.InCamera(p_L))) continue;
-      candidates.push_back(p_L);
-    }
-  }
-  return candidates;
-}
+// A plane z = c0 + c1 x + c2 y of frame L.
+using Coefficients = Eigen::Vector3d;
 
-// Height of the plane z = c0 + c1 x + c2 y below a point; x and y from the middle.
-double Above(const Eigen::Vector3d& plane, const Eigen::Vector3d& p_m) {
+double HeightAbove(const Coefficients& plane, const Eigen::Vector3d& p_m) {
   return p_m.z() - plane.dot(Eigen::Vector3d(1.0, p_m.x(), p_m.y()));
 }
 
-// One step of reweighted least squares, each point counting as `count`.
-Eigen::Vector3d Refit(const std::vector<Eigen::Vector3d>& points_m, const Eigen::Vector3d& plane,
-                      double tukey_m, double count) {
-  const Eigen::Vector3d prior(1.0 / std::pow(kOffsetPrior_m, 2), 1.0 / std::pow(kTiltPrior_rad, 2),
-                              1.0 / std::pow(kTiltPrior_rad, 2));
-  Eigen::Matrix3d information = prior.asDiagonal();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p_m : points_m) {
-    const double share = Above(plane, p_m) / tukey_m;
-    const double inside = 1.0 - share * share;
-    if (inside <= 0.0) continue;
-    const double weight = count * inside * inside / (kCorrelated * kPointSigma_m * kPointSigma_m);
-    const Eigen::Vector3d row(1.0, p_m.x(), p_m.y());
-    information += weight * row * row.transpose();
-    right += weight * p_m.z() * row;
+// A block as the fit sees it.
+struct Sample {
+  Eigen::Vector3d p_m;
+  double sigma_m = 0.0;  // of its height above a plane
+  int points = 0;
+  bool beside = false;
+};
+
+std::vector<Sample> SamplesNearSupport(std::span<const StripeBlock> blocks) {
+  std::vector<Sample> samples;
+  for (const StripeBlock& block : blocks) {
+    if (block.place == BlockPlace::kOnTarget) continue;
+    const double gate_m =
+        kGateSigmas * std::hypot(kOffsetPrior_m, kTiltPrior_rad * block.p_L_m.head<2>().norm());
+    if (std::abs(block.p_L_m.z()) > gate_m || std::abs(block.along_L.z()) > kSteepest_1) continue;
+    samples.push_back({block.p_L_m, std::hypot(kFlat_m, block.noise_m / std::sqrt(block.points)),
+                       block.points, block.place == BlockPlace::kBeside});
   }
-  return information.ldlt().solve(right);
+  return samples;
+}
+
+Eigen::Matrix3d PriorInformation() {
+  const double tilt = 1.0 / (kTiltPrior_rad * kTiltPrior_rad);
+  return Eigen::Vector3d(1.0 / (kOffsetPrior_m * kOffsetPrior_m), tilt, tilt).asDiagonal();
+}
+
+// Least squares with the prior; samples of weight 0 do not count.
+class PlaneFit {
+ public:
+  void Add(const Sample& sample, double weight) {
+    const Eigen::Vector3d row(1.0, sample.p_m.x(), sample.p_m.y());
+    const double information = weight / (sample.sigma_m * sample.sigma_m);
+    information_ += information * row * row.transpose();
+    right_ += information * sample.p_m.z() * row;
+  }
+  Coefficients Solve() const { return information_.ldlt().solve(right_); }
+
+ private:
+  Eigen::Matrix3d information_ = PriorInformation();
+  Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
+};
+
+// How well a plane agrees with the samples and the prior: the samples on it less those below.
+double Score(const Coefficients& plane, std::span<const Sample> samples) {
+  double score = -0.5 * plane.dot(PriorInformation() * plane);
+  for (const Sample& sample : samples) {
+    const double share = HeightAbove(plane, sample.p_m) / (kOnSigmas * sample.sigma_m);
+    if (share > 1.0) continue;
+    score += share < -1.0 ? -kBelowCounts : 1.0 - share * share;
+  }
+  return score;
+}
+
+Coefficients BestPlane(std::span<const Sample> samples) {
+  std::mt19937 random(1);  // always the same samples
+  Coefficients best = Coefficients::Zero();
+  double best_score = Score(best, samples);
+  for (int k = 0; k < kSamples; ++k) {
+    PlaneFit fit;
+    for (int i = 0; i < 3; ++i) fit.Add(samples[random() % samples.size()], 1.0);
+    const Coefficients plane = fit.Solve();
+    const double score = Score(plane, samples);
+    if (score <= best_score) continue;
+    best_score = score;
+    best = plane;
+  }
+  return best;
+}
+
+Coefficients Refine(Coefficients plane, std::span<const Sample> samples) {
+  for (double sigmas : kTukeySigmas) {
+    PlaneFit fit;
+    for (const Sample& sample : samples) {
+      const double share = HeightAbove(plane, sample.p_m) / (sigmas * sample.sigma_m);
+      const double inside = 1.0 - share * share;
+      if (inside > 0.0) fit.Add(sample, inside * inside / kCorrelated);
+    }
+    plane = fit.Solve();
+  }
+  return plane;
 }
 
 }  // namespace
 
-std::optional<SupportPlane> FitSupportPlane(const sensor::ScanSet& scan,
-                                            const std::optional<VerticalRegion>& region) {
-  std::vector<Eigen::Vector3d> points_m = PointsNearSupport(scan, region);
-  if (points_m.size() < kFewestOnSupport) return std::nullopt;
-  const size_t every = (points_m.size() + kEnough - 1) / kEnough;
-  for (size_t i = 0; i * every < points_m.size(); ++i) points_m[i] = points_m[i * every];
-  points_m.resize((points_m.size() + every - 1) / every);
-  Eigen::Vector3d middle_m = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p_m : points_m)
-    middle_m += p_m / static_cast<double>(points_m.size());
-  middle_m.z() = 0.0;
-  for (Eigen::Vector3d& p_m : points_m) p_m -= middle_m;
-
-  Eigen::Vector3d plane = Eigen::Vector3d::Zero();
-  for (double tukey_m : kTukey_m) {
-    plane = Refit(points_m, plane, tukey_m, static_cast<double>(every));
+std::optional<SupportPlane> FitSupportPlane(std::span<const StripeBlock> blocks) {
+  const std::vector<Sample> samples = SamplesNearSupport(blocks);
+  if (samples.empty()) return std::nullopt;
+  std::vector<Sample> beside;
+  for (const Sample& sample : samples) {
+    if (sample.beside) beside.push_back(sample);
   }
+  const Coefficients plane =
+      Refine(BestPlane(beside.size() >= kEnoughBeside ? beside : samples), samples);
 
+  SupportPlane support;
+  Eigen::Vector3d sum_m = Eigen::Vector3d::Zero();
   std::vector<double> off_m;
-  for (const Eigen::Vector3d& p_m : points_m) {
-    const double above_m = std::abs(Above(plane, p_m));
-    if (above_m < kTukey_m.back()) off_m.push_back(above_m);
+  for (const Sample& sample : samples) {
+    const double above_m = std::abs(HeightAbove(plane, sample.p_m));
+    if (above_m > kTukeySigmas.back() * sample.sigma_m) continue;
+    off_m.push_back(above_m);
+    support.points += sample.points;
+    sum_m += sample.points * sample.p_m;
   }
-  if (off_m.size() * every < kFewestOnSupport) return std::nullopt;
-  const auto median = off_m.begin() + static_cast<std::ptrdiff_t>(off_m.size() / 2);
-  std::nth_element(off_m.begin(), median, off_m.end());
+  if (support.points < kFewestOnSupport) return std::nullopt;
+  const Eigen::Vector3d middle_m = sum_m / support.points;
+  support.p_L_m = middle_m - HeightAbove(plane, middle_m) * Eigen::Vector3d::UnitZ();
+  support.normal_L = Eigen::Vector3d(-plane[1], -plane[2], 1.0).normalized();
   constexpr double kMedianOfMagnitude = 0.6745;  // of a normal variable, in sigmas
-  return SupportPlane{middle_m + Eigen::Vector3d(0.0, 0.0, plane[0]),
-                      Eigen::Vector3d(-plane[1], -plane[2], 1.0).normalized(),
-                      *median / kMedianOfMagnitude, static_cast<int>(off_m.size() * every)};
+  support.sigma_m = Median(std::move(off_m)) / kMedianOfMagnitude;
+  if (support.sigma_m > kRoughest_m) return std::nullopt;
+  return support;
 }
 
 geometry::RigidTransform LevelOn(const SupportPlane& plane) {

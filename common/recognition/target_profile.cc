@@ -3,8 +3,8 @@
 namespace geon::recognition {
 
 TargetProfile FindTargetProfile(const RegionProfile& part, const SmoothingOptions& smoothing,
-                                const BackgroundOptions& background,
-                                const SegmentOptions& segments) {
+                                const BackgroundOptions& background, const SegmentOptions& segments,
+                                const std::vector<bool>& on_target) {
   TargetProfile target;
   target.laser = part.laser;
   target.fraction = part.fraction;
@@ -17,7 +17,8 @@ TargetProfile FindTargetProfile(const RegionProfile& part, const SmoothingOption
   for (size_t i = 0; i < smooth_m.size(); ++i) {  // each along its own viewing ray (3.10)
     const Eigen::Vector3d moved_L_m =
         p_LB_m + (part.p_L_m[i] - p_LB_m) * (smooth_m[i] / part.depth_m[i]);
-    if (moved_L_m.z() > background.floor_margin_m) target.p_L_m[kept++] = moved_L_m;
+    const bool keep = on_target.empty() ? moved_L_m.z() > background.floor_margin_m : on_target[i];
+    if (keep) target.p_L_m[kept++] = moved_L_m;
   }
   target.p_L_m.resize(kept);
   target.segments = FindSegments(target.p_L_m, segments);

@@ -26,8 +26,10 @@ struct TargetProfile {
 };
 
 // Source: thesis sections 5.1 (smoothing, background removal) and 5.4 (segments, figure 5.10).
+// `on_target`: a label for each point of `part` (label_points.h); empty: the thesis's test of the
+// smoothed point against `background.floor_margin_m`.
 TargetProfile FindTargetProfile(const RegionProfile& part, const SmoothingOptions& smoothing,
-                                const BackgroundOptions& background,
-                                const SegmentOptions& segments);
+                                const BackgroundOptions& background, const SegmentOptions& segments,
+                                const std::vector<bool>& on_target = {});
 
 }  // namespace geon::recognition

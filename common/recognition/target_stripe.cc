@@ -7,6 +7,7 @@
 #include "base/angles.h"
 #include "recognition/median.h"
 #include "recognition/support_plane.h"
+#include "recognition/target_extent.h"
 
 namespace geon::recognition {
 namespace {
@@ -19,25 +20,12 @@ constexpr int kSpikeWindow = 2;         // points to each side
 constexpr double kSmallSpike_m = 1e-3;  // less is no spike, however quiet the profile
 constexpr size_t kSmoothed = 50;        // a stripe has so many windows of smoothing
 constexpr size_t kWidestWindow = 7;     // points to each side
-constexpr double kSupportSigmas = 3.0;
-constexpr double kMostMargin_m = 0.02;
 constexpr double kGrazing_rad = RadiansFromDegrees(4.0);  // less steep than this to the ray
 constexpr size_t kGrazingShare = 40;                      // of a segment tells its end's direction
 constexpr double kFarthestPlace_1 = 0.125;  // from 1/4, 1/2, 3/4: half of what is between them
 // How far the target may reach beyond the box that the stripes' places tell, in boxes.
 constexpr double kBeyond_1 = 0.25;
 constexpr double kSegmentBeyond_1 = 0.02;  // ... for the middle of a segment
-
-// What lies between two values of a tangent.
-struct Extent {
-  double first_1 = 0.0;
-  double last_1 = 0.0;
-  // Whether the tangent lies between them, or beyond them by at most this part of the extent.
-  bool Holds(double tangent_1, double beyond_1) const {
-    const double more_1 = beyond_1 * (last_1 - first_1);
-    return tangent_1 >= first_1 - more_1 && tangent_1 <= last_1 + more_1;
-  }
-};
 
 // The points of one profile that may lie on the target, frame L level on the support.
 struct Candidates {
@@ -58,9 +46,9 @@ struct Candidates {
   }
 };
 
-// The points of a profile that are no spikes and stand higher than `margin_m` above the support.
-Candidates FindCandidates(const RegionProfile& part, const BwCamera& camera,
-                          const RigidTransform& level, double margin_m) {
+// The points of a profile that lie on the target and are no spikes.
+Candidates FindCandidates(const RegionProfile& part, const std::vector<bool>& on_target,
+                          const BwCamera& camera, const RigidTransform& level) {
   std::vector<double> middle_m(part.depth_m.size());
   RunningMedian(part.depth_m, kSpikeWindow, middle_m);
   const double spike_m = std::max(kSpike * part.noise_m, kSmallSpike_m);
@@ -69,9 +57,8 @@ Candidates FindCandidates(const RegionProfile& part, const BwCamera& camera,
   points.p_L_m.reserve(part.p_L_m.size());
   points.tangent_B_1.reserve(part.p_L_m.size());
   for (size_t i = 0; i < part.p_L_m.size(); ++i) {
-    const Eigen::Vector3d p_L_m = level * part.p_L_m[i];
-    if (p_L_m.z() <= margin_m || std::abs(part.depth_m[i] - middle_m[i]) > spike_m) continue;
-    points.p_L_m.push_back(p_L_m);
+    if (!on_target[i] || std::abs(part.depth_m[i] - middle_m[i]) > spike_m) continue;
+    points.p_L_m.push_back(level * part.p_L_m[i]);
     points.tangent_B_1.push_back(Tangents(camera.InCamera(part.p_L_m[i])));
   }
   return points;
@@ -102,38 +89,6 @@ std::array<Place, 6> FindPlaces(std::span<const RegionProfile> profiles) {
     if (place.profile) place.fraction = place.profile->fraction;
   }
   return places;
-}
-
-// The rows of the target box: a line through (fraction, row) of the horizontal stripes.
-std::optional<Extent> FindRows(std::span<const Candidates> candidates,
-                               std::span<const Place> places) {
-  double n = 0.0, sum_f = 0.0, sum_t = 0.0, sum_ff = 0.0, sum_ft = 0.0;
-  for (size_t k = 0; k < places.size(); ++k) {
-    const std::vector<Eigen::Vector2d>& tangents_1 = candidates[k].tangent_B_1;
-    if (places[k].laser != Laser::kHorizontal || tangents_1.empty()) continue;
-    const double fraction = places[k].fraction, tangent_1 = tangents_1[tangents_1.size() / 2].y();
-    n += 1.0;
-    sum_f += fraction;
-    sum_t += tangent_1;
-    sum_ff += fraction * fraction;
-    sum_ft += fraction * tangent_1;
-  }
-  const double spread = sum_ff - sum_f * sum_f / std::max(n, 1.0);
-  if (n < 2.0 || spread < 1e-6) return std::nullopt;
-  const double slope = (sum_ft - sum_f * sum_t / n) / spread;
-  if (slope <= 0.0) return std::nullopt;
-  const double first_1 = (sum_t - slope * sum_f) / n;
-  return Extent{first_1, first_1 + slope};
-}
-
-// The columns of the target box, without the margin that belongs to its region of interest.
-std::optional<Extent> FindColumns(const sensor::ScanSet& scan,
-                                  const std::optional<VerticalRegion>& region, int margin_px) {
-  if (!region || !scan.target_box) return std::nullopt;
-  const double margin_1 = margin_px / (scan.target_box->w_px - 1.0 + 2.0 * margin_px);
-  const double width_1 = region->max_tangent_1 - region->min_tangent_1;
-  return Extent{region->min_tangent_1 + margin_1 * width_1,
-                region->max_tangent_1 - margin_1 * width_1};
 }
 
 // Whether the points run along the viewing rays between `outer` and `inner`.
@@ -185,12 +140,6 @@ void AppendSegment(const Candidates& points, PointRange segment, const Eigen::Ma
                  half, &stripe->curve_m);
 }
 
-// How far above the support a point must stand to be no part of it.
-double SupportMargin(const std::optional<SupportPlane>& support, double least_m) {
-  if (!support) return least_m;
-  return std::max(least_m, std::min(kSupportSigmas * support->sigma_m, kMostMargin_m));
-}
-
 // The segments of the points whose middle lies on the target. `along` is the target's extent in the
 // stripe's direction, `R_LB` the camera at the stripe.
 TargetStripe MakeStripe(const Candidates& points, const Place& place,
@@ -213,20 +162,20 @@ TargetStripe MakeStripe(const Candidates& points, const Place& place,
 }  // namespace
 
 TargetView FindTargetView(const sensor::ScanSet& scan, const std::optional<VerticalRegion>& region,
-                          std::span<const RegionProfile> profiles,
+                          std::span<const RegionProfile> profiles, const ScanLabels& labels,
                           const BackgroundOptions& background, const SegmentOptions& segments) {
   const BwCamera camera = CameraAtTarget(scan);
-  const std::optional<SupportPlane> support = FitSupportPlane(scan, region);
-  const RigidTransform level = support ? LevelOn(*support) : RigidTransform::Identity();
-  const double margin_m = SupportMargin(support, background.floor_margin_m);
+  const RigidTransform level =
+      labels.support ? LevelOn(*labels.support) : RigidTransform::Identity();
   const std::array<Place, 6> places = FindPlaces(profiles);
   std::array<Candidates, 6> candidates;
   for (size_t k = 0; k < places.size(); ++k) {
     if (!places[k].profile) continue;
-    candidates[k] = FindCandidates(*places[k].profile, camera, level, margin_m);
+    const auto at = static_cast<size_t>(places[k].profile - profiles.data());
+    candidates[k] = FindCandidates(*places[k].profile, labels.on_target[at], camera, level);
   }
 
-  const std::optional<Extent> rows = FindRows(candidates, places);
+  const std::optional<Extent> rows = FindRows(profiles, camera);
   const std::optional<Extent> columns = FindColumns(scan, region, background.margin_px);
   TargetView view;
   view.camera = {level * camera.p_LB_m, level.linear() * camera.R_LB};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "recognition/bw_camera.h"
+#include "recognition/label_points.h"
 #include "recognition/profile_curve.h"
 #include "recognition/region_profile.h"
 #include "recognition/remove_background.h"
@@ -39,8 +40,7 @@ struct TargetView {
 };
 
 // Source: thesis sections 5.1 and 5.4 for what is background and what a segment. Deviations:
-// - the support is where the scan's own points show it, and points within three sigmas of it are
-//   background, but never less than `background.floor_margin_m`;
+// - what is background is told by `labels`, whose support the target is levelled on;
 // - the horizontal stripes, whose places in the target box are known, also tell the rows between
 //   which the target lies: what vertical stripes show far beyond them is background;
 // - spikes are dropped, not replaced (a point further than five sigmas of the profile's own noise
@@ -49,9 +49,10 @@ struct TargetView {
 // - the rest is averaged over a fiftieth of the stripe, where the thesis takes the median of a
 //   fixed window.
 //
-// `region` as from FindVerticalRegion, `profiles` as from FindRegionProfiles of the same scan.
+// `region` as from FindVerticalRegion, `profiles` as from FindRegionProfiles, `labels` as from
+// LabelPoints, all of the same scan.
 TargetView FindTargetView(const sensor::ScanSet& scan, const std::optional<VerticalRegion>& region,
-                          std::span<const RegionProfile> profiles,
+                          std::span<const RegionProfile> profiles, const ScanLabels& labels,
                           const BackgroundOptions& background, const SegmentOptions& segments);
 
 }  // namespace geon::recognition

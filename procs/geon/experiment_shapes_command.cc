@@ -48,6 +48,9 @@ nlohmann::json Conditions(const ShapesArguments& arguments) {
   const nlohmann::json smoothing = arguments.recognition.smoothing.empty()
                                        ? nlohmann::json()
                                        : nlohmann::json(arguments.recognition.smoothing);
+  const nlohmann::json background = arguments.recognition.background.empty()
+                                        ? nlohmann::json()
+                                        : nlohmann::json(arguments.recognition.background);
   return {{"range_m", arguments.range_m},
           {"noise_px", arguments.noise_px},
           {"stress", arguments.stress},
@@ -58,7 +61,8 @@ nlohmann::json Conditions(const ShapesArguments& arguments) {
           {"objects", arguments.objects.filename().string()},
           {"meshes", arguments.meshes.filename().string()},
           {"curvature", curvature},
-          {"smoothing", smoothing}};
+          {"smoothing", smoothing},
+          {"background", background}};
 }
 
 int RunShapes(const ShapesArguments& arguments) {

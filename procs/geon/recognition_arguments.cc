@@ -15,6 +15,11 @@ void AddRecognitionArguments(CLI::App& command, RecognitionArguments* arguments)
       ->check(CLI::IsMember({"ogorman", "ramer", "wall"}));
   command.add_option("--smoothing", arguments->smoothing, "of the profiles (section 5.1)")
       ->check(CLI::IsMember({"median", "gaussian", "none"}));
+  command
+      .add_option("--background", arguments->background,
+                  "told from the target by the thesis's two tests (section 5.1) or by the support "
+                  "fitted to each scan; the default is the method's own")
+      ->check(CLI::IsMember({"thesis", "fitted"}));
 }
 
 recognition::RecognitionOptions ToOptions(const RecognitionArguments& arguments,
@@ -25,6 +30,9 @@ recognition::RecognitionOptions ToOptions(const RecognitionArguments& arguments,
   }
   if (const auto smoothing = recognition::SmoothingFromString(arguments.smoothing)) {
     base.smoothing.kind = *smoothing;
+  }
+  if (const auto method = recognition::BackgroundMethodFromString(arguments.background)) {
+    base.background_method = *method;
   }
   return base;
 }

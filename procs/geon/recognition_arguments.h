@@ -7,13 +7,16 @@
 
 namespace geon::cli {
 
-// How to recognise, as said on the command line: --method, --curvature, --smoothing. Empty: not
-// said.
+// How to recognise, as said on the command line: --method, --curvature, --smoothing, --background.
+// Empty: not said.
 struct RecognitionArguments {
   std::string method;
   std::string curvature;
   std::string smoothing;
-  bool any() const { return !method.empty() || !curvature.empty() || !smoothing.empty(); }
+  std::string background;
+  bool any() const {
+    return !method.empty() || !curvature.empty() || !smoothing.empty() || !background.empty();
+  }
 };
 
 void AddRecognitionArguments(CLI::App& command, RecognitionArguments* arguments);

@@ -5,6 +5,7 @@
 #include "procs/geon/report_figures.h"
 #include "procs/geon/svg.h"
 #include "procs/recognizer/scan_assembler.h"
+#include "recognition/label_points.h"
 
 namespace geon::cli {
 namespace {
@@ -125,11 +126,12 @@ std::string StripeFigures(const RunRecord& run, const geometry::SensorRig& rig) 
   std::vector<sensor::RangeProfile> profiles;
   for (const auto& [index, profile] : run.profiles) profiles.push_back(profile);
   const sensor::ScanSet scan = recognizer::MakeScanSet(rig, *run.plan, profiles);
-  const auto region = recognition::FindVerticalRegion(scan, {});
+  const std::vector<std::vector<bool>> on_target = recognition::FindTargetPoints(scan, {});
   std::string html = "<div class=\"stripes\">";
-  for (const sensor::RangeProfile& profile : profiles) {
+  for (size_t k = 0; k < profiles.size(); ++k) {
+    const sensor::RangeProfile& profile = profiles[k];
     html += "<figure class=\"card\"><h3>" + StripeName(profile.laser, profile.fraction) + "</h3>";
-    html += ProfileSvg(profile, recognition::FindTargetPoints(profile, scan, region, {}));
+    html += ProfileSvg(profile, on_target[k]);
     if (const sensor::ProfileEvidence* evidence = EvidenceOf(run, profile)) {
       html += ThetaSvg(*evidence) + "<figcaption>" + Caption(*evidence) + "</figcaption>";
     }

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "recognition/label_points.h"
 #include "recognition/remove_background.h"
 
 namespace geon::cli {
@@ -101,12 +102,11 @@ void AddWorstView(WorstView view, std::vector<WorstView>* worst) {
 }
 
 std::vector<DrawnStripe> DrawStripes(const sensor::ScanSet& scan) {
-  const recognition::BackgroundOptions options;
-  const auto region = recognition::FindVerticalRegion(scan, options);
+  const std::vector<std::vector<bool>> on_target = recognition::FindTargetPoints(scan, {});
   std::vector<DrawnStripe> stripes;
-  for (const sensor::RangeProfile& profile : scan.profiles) {
+  for (size_t k = 0; k < scan.profiles.size(); ++k) {
     stripes.push_back(
-        DrawStripe(recognition::RemoveBackground(profile, scan, region, options), scan));
+        DrawStripe(recognition::RemoveBackground(scan.profiles[k], on_target[k]), scan));
   }
   return stripes;
 }

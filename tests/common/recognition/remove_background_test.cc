@@ -30,8 +30,9 @@ TEST(RemoveBackground, KeepsTheColumnsOfTheTargetBoxAndAMargin) {
   const auto scan = WallScan({200, 100, 120, 100});
   BackgroundOptions options;
   options.margin_px = 10;
-  const auto target =
-      RemoveBackground(scan.profiles[0], scan, FindVerticalRegion(scan, options), options);
+  const auto target = RemoveBackground(
+      scan.profiles[0],
+      TestTargetPoints(scan.profiles[0], scan, FindVerticalRegion(scan, options), options));
   ASSERT_FALSE(target.pixel.empty());
   EXPECT_EQ(target.pixel.front(), 192);
   EXPECT_EQ(target.pixel.back(), 328);
@@ -48,14 +49,14 @@ TEST(RemoveBackground, TheRegionHoldsForVerticalStripesOfAPannedHead) {
   vertical.pixel = {10, 11};
   vertical.p_L_m = {{1.0, -(250 - kCentre_px) / kFocal_px, 0.5},
                     {1.0, -(400 - kCentre_px) / kFocal_px, 0.5}};
-  EXPECT_EQ(FindTargetPoints(vertical, scan, region, {}), (std::vector<bool>{true, false}));
+  EXPECT_EQ(TestTargetPoints(vertical, scan, region, {}), (std::vector<bool>{true, false}));
 }
 
 TEST(RemoveBackground, DropsPointsLowerThanACentimetreAboveTheFloor) {
   auto scan = WallScan({0, 0, 640, 480});
   scan.profiles[0].pixel = {300, 301, 302};
   scan.profiles[0].p_L_m = {{1, 0, 0.02}, {1, 0, 0.0099}, {1, 0, -0.3}};
-  EXPECT_EQ(FindTargetPoints(scan.profiles[0], scan, std::nullopt, {}),
+  EXPECT_EQ(TestTargetPoints(scan.profiles[0], scan, std::nullopt, {}),
             (std::vector<bool>{true, false, false}));
 }
 
@@ -67,6 +68,17 @@ TEST(RemoveBackground, KnowsNoRegionWithoutABoxOrWithoutHorizontalStripes) {
   EXPECT_TRUE(FindVerticalRegion(scan, {}).has_value());
   scan.target_box.reset();
   EXPECT_FALSE(FindVerticalRegion(scan, {}).has_value());
+}
+
+TEST(RemoveBackground, KeepsTheColoursOfWhatItKeeps) {
+  sensor::RangeProfile profile;
+  profile.pixel = {4, 5, 6};
+  profile.p_L_m.assign(3, Eigen::Vector3d::UnitX());
+  profile.on_color_1 = {0.1, 0.2, 0.3};
+  const auto target = RemoveBackground(profile, {true, false, true});
+  EXPECT_EQ(target.pixel, (std::vector<int>{4, 6}));
+  EXPECT_EQ(target.on_color_1, (std::vector<double>{0.1, 0.3}));
+  EXPECT_THROW(RemoveBackground(profile, {true}), ContractViolation);
 }
 
 TEST(RemoveBackground, RefusesANegativeMargin) {

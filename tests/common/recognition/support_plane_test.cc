@@ -5,12 +5,19 @@
 #include <Eigen/Geometry>
 
 #include "base/angles.h"
+#include "recognition/target_extent.h"
 #include "tests/common/recognition/synthetic_geons.h"
 
 namespace geon::recognition {
 namespace {
 
 sensor::ScanSet ScanOnFloor() { return *ScanOfGeon(PlainGeons()[0], 0.3, {}, 1); }
+
+std::optional<SupportPlane> FitTo(const sensor::ScanSet& scan) {
+  const auto region = FindVerticalRegion(scan, {});
+  const auto rows = FindRows(FindRegionProfiles(scan, region), CameraAtTarget(scan));
+  return FitSupportPlane(FindStripeBlocks(scan, region, rows));
+}
 
 // The scan as a robot reports it whose level frame leans by `lean_rad` and lies `low_m` too low.
 sensor::ScanSet Misjudged(const sensor::ScanSet& scan, double lean_rad, double low_m) {
@@ -32,16 +39,40 @@ sensor::ScanSet Misjudged(const sensor::ScanSet& scan, double lean_rad, double l
 TEST(FitSupportPlane, FindsThePlaneThatTheScanStandsOn) {
   const double lean_rad = RadiansFromDegrees(3.0);
   const sensor::ScanSet wrong = Misjudged(ScanOnFloor(), lean_rad, 0.005);
-  const auto plane = FitSupportPlane(wrong, FindVerticalRegion(wrong, {}));
+  const auto plane = FitTo(wrong);
   ASSERT_TRUE(plane.has_value());
   EXPECT_NEAR(std::acos(plane->normal_L.z()), lean_rad, RadiansFromDegrees(0.3));
   EXPECT_LT(plane->sigma_m, 0.004);
   EXPECT_GE(plane->points, 40);
 }
 
+// The robot leans about its own foot: at the target that is 55 mm of height.
+TEST(FitSupportPlane, FindsASupportFarBelowWhereItIsBelievedToBe) {
+  const double lean_rad = RadiansFromDegrees(3.0);
+  const sensor::ScanSet wrong = Misjudged(ScanOnFloor(), lean_rad, -0.055);
+  const auto plane = FitTo(wrong);
+  ASSERT_TRUE(plane.has_value());
+  EXPECT_NEAR(std::acos(plane->normal_L.z()), lean_rad, RadiansFromDegrees(0.3));
+  EXPECT_NEAR(plane->Above({1.0, 0.0, -0.055}), 0.0, 0.002);
+}
+
+// A desk whose edge is just before the target: what its front shows is no support.
+TEST(FitSupportPlane, IsNotMisledByAFlatTopOrASteepFront) {
+  std::vector<StripeBlock> blocks;
+  const auto add = [&](const Eigen::Vector3d& p_L_m, const Eigen::Vector3d& along_L) {
+    blocks.push_back({p_L_m, along_L, 0.001, 8, BlockPlace::kAtFoot});
+  };
+  for (int k = 0; k < 6; ++k) add({0.9, 0.05 * k - 0.125, 0.001 * (k % 2)}, {0.0, 1.0, 0.0});
+  for (int k = 0; k < 40; ++k) add({0.88, 0.0, -0.003 * k}, {0.0, 0.0, -1.0});
+  for (int k = 0; k < 40; ++k) add({1.0, 0.005 * k - 0.1, 0.05}, {0.0, 1.0, 0.0});
+  const auto plane = FitSupportPlane(blocks);
+  ASSERT_TRUE(plane.has_value());
+  EXPECT_NEAR(plane->Above({0.9, 0.0, 0.0}), 0.0, 0.002);
+}
+
 TEST(FitSupportPlane, LeavesALevelSupportWhereItIs) {
   const sensor::ScanSet scan = ScanOnFloor();
-  const auto plane = FitSupportPlane(scan, FindVerticalRegion(scan, {}));
+  const auto plane = FitTo(scan);
   ASSERT_TRUE(plane.has_value());
   EXPECT_LT(std::acos(plane->normal_L.z()), RadiansFromDegrees(0.2));
   EXPECT_LT(std::abs(plane->p_L_m.z()), 0.001);
@@ -60,15 +91,14 @@ TEST(FitSupportPlane, FindsNoneWhereTheSupportWasCutAway) {
     }
     profile = kept;
   }
-  EXPECT_FALSE(FitSupportPlane(scan, std::nullopt).has_value());
-  EXPECT_FALSE(FitSupportPlane({}, std::nullopt).has_value());
+  EXPECT_FALSE(FitTo(scan).has_value());
+  EXPECT_FALSE(FitTo({}).has_value());
 }
 
 TEST(LevelOn, UndoesTheMisjudgement) {
   const sensor::ScanSet scan = ScanOnFloor();
   const sensor::ScanSet wrong = Misjudged(scan, RadiansFromDegrees(3.0), 0.005);
-  const geometry::RigidTransform level =
-      LevelOn(*FitSupportPlane(wrong, FindVerticalRegion(wrong, {})));
+  const geometry::RigidTransform level = LevelOn(*FitTo(wrong));
   for (size_t k = 0; k < scan.profiles.size(); ++k) {
     for (size_t i = 0; i < scan.profiles[k].p_L_m.size(); ++i) {
       EXPECT_NEAR((level * wrong.profiles[k].p_L_m[i]).z(), scan.profiles[k].p_L_m[i].z(), 0.004);

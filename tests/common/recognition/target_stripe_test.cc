@@ -12,7 +12,8 @@ namespace {
 
 TargetView FindView(const sensor::ScanSet& scan) {
   const auto region = FindVerticalRegion(scan, {});
-  return FindTargetView(scan, region, FindRegionProfiles(scan, region), {}, {});
+  const auto parts = FindRegionProfiles(scan, region);
+  return FindTargetView(scan, region, parts, LabelPoints(scan, region, parts, {}), {}, {});
 }
 
 sensor::ScanSet Scan() { return *ScanOfGeon(PlainGeons()[0], 0.3, {}, 1); }
