@@ -10,6 +10,7 @@ namespace geon::evaluation {
 namespace {
 
 constexpr size_t kPacket = 16;
+constexpr unsigned kObject = 0;  // what Embree calls the mesh that is attached first
 
 // One instruction set and one thread, so that every x86-64 machine finds the same hits to the last
 // bit.
@@ -86,8 +87,10 @@ ObjectTracer::ObjectTracer(const geons::TriangleMesh& mesh, const geons::Triangl
 
 ObjectTracer::~ObjectTracer() = default;
 
-std::vector<double> ObjectTracer::FirstHits(std::span<const ObjectRay> rays) const {
+std::vector<double> ObjectTracer::FirstHits(std::span<const ObjectRay> rays,
+                                            std::vector<bool>* on_object) const {
   std::vector<double> hits(rays.size(), std::numeric_limits<double>::infinity());
+  if (on_object) on_object->assign(rays.size(), false);
   RTCIntersectContext context = CoherentContext();
   alignas(64) RTCRayHit16 packet;
   alignas(64) int valid[kPacket];
@@ -99,6 +102,7 @@ std::vector<double> ObjectTracer::FirstHits(std::span<const ObjectRay> rays) con
     for (size_t k = 0; k < kPacket && start + k < rays.size(); ++k) {
       if (packet.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
       hits[start + k] = static_cast<double>(packet.ray.tfar[k]);
+      if (on_object) (*on_object)[start + k] = packet.hit.geomID[k] == kObject;
     }
   }
   return hits;

@@ -28,8 +28,10 @@ class ObjectTracer {
   ObjectTracer(const ObjectTracer&) = delete;
   ObjectTracer& operator=(const ObjectTracer&) = delete;
 
-  // Where each ray first meets the object, in lengths of its direction; infinity where it passes.
-  std::vector<double> FirstHits(std::span<const ObjectRay> rays) const;
+  // Where each ray first meets the object or what stands beside it, in lengths of its direction;
+  // infinity where it passes. `on_object`, where asked for, tells which of the two it met.
+  std::vector<double> FirstHits(std::span<const ObjectRay> rays,
+                                std::vector<bool>* on_object = nullptr) const;
 
   // Whether each ray meets the object at all within its reach.
   std::vector<bool> Hits(std::span<const ObjectRay> rays) const;

@@ -17,6 +17,8 @@ struct RangefinderOptions {
   double focal_px = 1600.0;
   double baseline_m = 0.0625;    // horizontal laser above the camera, vertical one beside it
   double color_above_m = 0.065;  // the colour camera, which measures the target box
+  // Points are told the colour that the colour camera sees where they lie (`on_color_1`).
+  bool color_tags = false;
   // A depth camera instead: its rows and columns are the stripes, nothing is hidden from it, and it
   // errs as a triangulation over baseline_m does.
   bool depth_camera = false;
@@ -29,6 +31,9 @@ struct ViewOptions {
   double azimuth_rad = 0.0;    // round the object, from its x axis
   // On a floor, whose points belong to the scan; else in the air, as in thesis section 6.1.
   bool floor = false;
+  // Height of that floor, from what the object stands on: below 0 where that is a tile or a box,
+  // which then belongs to what stands beside the object.
+  double floor_m = 0.0;
   // Parallel rays instead of triangulation: nothing is hidden from the laser (section 6.1).
   bool orthographic = false;
 };
@@ -42,6 +47,8 @@ struct FaultOptions {
   double floor_cut_m = 0.0;     // points lower than this are missing
   double misplacement_1 = 0.0;  // of a stripe, in target boxes, standard deviation
   double attitude_rad = 0.0;    // by which the camera's believed attitude is wrong
+  // The robot leans by so much in any direction, on the floor below its camera, and does not know.
+  double lean_rad = 0.0;
   // Of sensors that match patches instead of finding peaks (structured light, stereo):
   double step_px = 0.0;     // offsets come in such steps
   double patch_px = 0.0;    // each line shows the mean over so many lines to both sides

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <random>
+#include <vector>
 
 #include "evaluation/object_tracer.h"
 #include "evaluation/scan_conditions.h"
@@ -21,8 +22,21 @@ namespace geon::evaluation {
 // swung, where the robot turns its head; an orthographic view is one from 100 m through a longer
 // lens, with no laser beside it. Frame L as in sensor::ScanSet; in the air z = 0 lies half a metre
 // below the object. Same object, options and random state: same scan, bit for bit.
+//
+// Colour tags: how much of what lies within three pixels of the point in the colour camera's
+// picture is the target; the camera's calibration is a pixel off.
 sensor::ScanSet MakeScan(const ObjectTracer& object, const ViewOptions& view,
                          const FaultOptions& faults, const RangefinderOptions& rangefinder,
                          std::mt19937_64& random);
+
+// The same scan with the truth: for each point of each profile whether it lies on the object, not
+// on the floor or on what stands beside it.
+struct LabelledScan {
+  sensor::ScanSet scan;
+  std::vector<std::vector<bool>> on_object;
+};
+LabelledScan MakeLabelledScan(const ObjectTracer& object, const ViewOptions& view,
+                              const FaultOptions& faults, const RangefinderOptions& rangefinder,
+                              std::mt19937_64& random);
 
 }  // namespace geon::evaluation

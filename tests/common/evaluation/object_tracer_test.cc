@@ -27,6 +27,21 @@ TEST(ObjectTracer, FindsTheNearSideOfABox) {
   EXPECT_EQ(box.Hits(rays), (std::vector<bool>{true, true, false}));
 }
 
+TEST(ObjectTracer, TellsTheObjectFromWhatStandsBesideIt) {
+  const auto object = geons::PolygonGeon({GeonLabel::kCuboid, {0.2, 0.1, 0.3}}, 48);
+  geons::TriangleMesh beside = object;
+  for (Eigen::Vector3d& p_m : beside.vertices_m) p_m.y() += 0.5;
+  const ObjectTracer both(object, &beside);
+  std::vector<bool> on_object;
+  const auto hits = both.FirstHits(
+      std::vector<ObjectRay>{
+          {{1, 0, 0.1}, {-1, 0, 0}}, {{1, 0.5, 0.1}, {-1, 0, 0}}, {{1, 1.0, 0.1}, {-1, 0, 0}}},
+      &on_object);
+  EXPECT_NEAR(hits[1], 0.9, 1e-6);
+  EXPECT_TRUE(std::isinf(hits[2]));
+  EXPECT_EQ(on_object, (std::vector<bool>{true, false, false}));
+}
+
 TEST(ObjectTracer, ARayEndsAtItsReach) {
   const ObjectTracer box = Box();
   EXPECT_FALSE(box.Hits(std::vector<ObjectRay>{{{1, 0, 0.1}, {-1, 0, 0}, 0.89}})[0]);
