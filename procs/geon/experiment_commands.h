@@ -14,6 +14,7 @@ namespace geon::cli {
 void AddExperimentShapesCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentBenchCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentColorCommand(CLI::App& experiment, int* exit_code);
+void AddExperimentBackgroundCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentMergeCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentTuneCommand(CLI::App& experiment, int* exit_code);
 
