@@ -10,6 +10,7 @@ inline constexpr std::string_view kFloorImage = "FLOOR_IMAGE";
 inline constexpr std::string_view kStripe = "STRIPE";
 inline constexpr std::string_view kScanCommand = "SCAN_COMMAND";
 inline constexpr std::string_view kScanPlan = "SCAN_PLAN";
+inline constexpr std::string_view kTargetMask = "TARGET_MASK";
 inline constexpr std::string_view kRangeProfile = "RANGE_PROFILE";
 inline constexpr std::string_view kGeonVerdict = "GEON_VERDICT";
 inline constexpr std::string_view kPtuState = "PTU_STATE";

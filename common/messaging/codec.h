@@ -12,8 +12,8 @@ namespace geon::messaging {
 
 // Bytes on the wire <-> plain data, for every message of the bus:
 //   sensor:: Image Stripe ScanCommand ScanPlan RangeProfile GeonVerdict PtuState PtuCommand
-//   BaseState BaseCommand SonarScan BumperState InfraredScan LaserState PlannerState TargetView
-//   Health Session.
+//   BaseState BaseCommand SonarScan BumperState InfraredScan LaserState PlannerState TargetMask
+//   TargetView Health Session.
 // Other types do not link. Nobody outside this room needs the generated LCM types.
 
 // A value that no message can carry (an image whose bytes do not match its size, say) breaks the

@@ -17,6 +17,7 @@
 #include "geon/session_t.hpp"
 #include "geon/sonar_t.hpp"
 #include "geon/stripe_t.hpp"
+#include "geon/target_mask_t.hpp"
 #include "geon/target_view_t.hpp"
 #include "geon/verdict_t.hpp"
 #include "sensor/base.h"
@@ -28,6 +29,7 @@
 #include "sensor/ptu.h"
 #include "sensor/scan_set.h"
 #include "sensor/stripe.h"
+#include "sensor/target_mask.h"
 #include "sensor/target_view.h"
 
 namespace geon::messaging {
@@ -52,6 +54,7 @@ geon::bumper_t ToWire(const sensor::BumperState& state);
 geon::infrared_t ToWire(const sensor::InfraredScan& scan);
 geon::laser_state_t ToWire(const sensor::LaserState& state);
 geon::planner_state_t ToWire(const sensor::PlannerState& state);
+geon::target_mask_t ToWire(const sensor::TargetMask& mask);
 geon::target_view_t ToWire(const sensor::TargetView& view);
 geon::health_t ToWire(const sensor::Health& health);
 geon::session_t ToWire(const sensor::Session& session);
@@ -71,6 +74,7 @@ Result<sensor::BumperState> FromWire(const geon::bumper_t& state);
 Result<sensor::InfraredScan> FromWire(const geon::infrared_t& scan);
 Result<sensor::LaserState> FromWire(const geon::laser_state_t& state);
 Result<sensor::PlannerState> FromWire(const geon::planner_state_t& state);
+Result<sensor::TargetMask> FromWire(const geon::target_mask_t& mask);
 Result<sensor::TargetView> FromWire(const geon::target_view_t& view);
 Result<sensor::Health> FromWire(const geon::health_t& health);
 Result<sensor::Session> FromWire(const geon::session_t& session);

@@ -9,6 +9,7 @@ namespace geon::messaging {
 namespace {
 
 constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+constexpr int32_t kLargestPicture_px = 4096;
 constexpr sensor::Laser kLastScanLaser = sensor::Laser::kVertical;
 
 geon::point2_t ToPoint(const Eigen::Vector2d& p_m) {
@@ -118,6 +119,50 @@ Result<sensor::ScanPlan> FromWire(const geon::scan_plan_t& wire) {
     checks.Finite("stripes.tilt_rad", planned.tilt_rad);
   }
   return checks.Finish(std::move(plan));
+}
+
+geon::target_mask_t ToWire(const sensor::TargetMask& mask) {
+  geon::target_mask_t wire{};
+  wire.utime = mask.utime;
+  wire.seq = mask.seq;
+  wire.scan_id = mask.scan_id;
+  wire.box_u_px = mask.box.u_px;
+  wire.box_v_px = mask.box.v_px;
+  wire.box_w_px = mask.box.w_px;
+  wire.box_h_px = mask.box.h_px;
+  wire.pan_rad = mask.pan_rad;
+  wire.tilt_rad = mask.tilt_rad;
+  wire.nruns = WireCount(mask.runs_px);
+  wire.runs_px = mask.runs_px;
+  return wire;
+}
+
+Result<sensor::TargetMask> FromWire(const geon::target_mask_t& wire) {
+  FieldChecks checks;
+  sensor::TargetMask mask;
+  mask.utime = wire.utime;
+  mask.seq = wire.seq;
+  mask.scan_id = wire.scan_id;
+  mask.box = {wire.box_u_px, wire.box_v_px, wire.box_w_px, wire.box_h_px};
+  mask.pan_rad = wire.pan_rad;
+  mask.tilt_rad = wire.tilt_rad;
+  mask.runs_px = wire.runs_px;
+  checks.Finite("pan_rad", wire.pan_rad);
+  checks.Finite("tilt_rad", wire.tilt_rad);
+  const auto fits = [](int32_t at_px, int32_t size_px) {
+    return at_px >= 0 && at_px <= kLargestPicture_px && size_px > 0 &&
+           size_px <= kLargestPicture_px;
+  };
+  checks.Require(fits(wire.box_u_px, wire.box_w_px) && fits(wire.box_v_px, wire.box_h_px), "box",
+                 "is empty or lies in no picture");
+  int64_t pixels = 0;
+  for (const int16_t run : wire.runs_px) {
+    checks.Require(run >= 0, "runs_px", "has a negative length");
+    pixels += run;
+  }
+  checks.Require(pixels == int64_t{wire.box_w_px} * wire.box_h_px, "runs_px",
+                 "do not fill the box");
+  return checks.Finish(std::move(mask));
 }
 
 geon::range_profile_t ToWire(const sensor::RangeProfile& profile) {

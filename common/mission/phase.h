@@ -16,6 +16,7 @@
 #include "sensor/geon_verdict.h"
 #include "sensor/scan_set.h"
 #include "sensor/stripe.h"
+#include "sensor/target_mask.h"
 
 namespace geon::mission {
 
@@ -35,6 +36,7 @@ struct Wishes {
   navigation::DriveVelocity velocity;
   std::optional<sensor::PtuCommand> head;
   std::optional<sensor::ScanPlan> scan_plan;
+  std::optional<sensor::TargetMask> target_mask;  // of the same scan
   std::optional<sensor::ScanCommand> scan_command;
   std::optional<Decision> decision;
 };

@@ -4,6 +4,7 @@
 
 #include "active_vision/order_stripes.h"
 #include "active_vision/surface_distance.h"
+#include "attention/target_mask.h"
 #include "mission/scan_geometry.h"
 
 namespace geon::mission {
@@ -83,6 +84,10 @@ Transition ScanPhase::Begin(Context* context) {
   plan_.support_height_m = support->support_height_m;
   plan_.distance_m = target_.distance_m;
   plan_.stripes = std::move(placement.stripes);
+  mask_ = attention::MakeTargetMask(view.seen);
+  mask_.scan_id = plan_.scan_id;
+  mask_.pan_rad = plan_.pan_rad;
+  mask_.tilt_rad = plan_.tilt_rad;
   tilt_step_rad_ = target_.box.h_px / context->rig.color_camera.fy_px;
   pan_step_rad_ = target_.box.w_px / context->rig.color_camera.fx_px;
   context->wishes.decision = Decision{view, plan_.scan_id};
@@ -102,6 +107,7 @@ void ScanPhase::SendPlan(Context* context) {
   if (context->time_s - plan_sent_s_ < kResendPlan_s) return;
   plan_sent_s_ = context->time_s;
   context->wishes.scan_plan = plan_;
+  context->wishes.target_mask = mask_;
 }
 
 // As planned, or by the surface as the stripes so far have measured it.

@@ -4,6 +4,7 @@
 
 #include "active_vision/place_stripes.h"
 #include "mission/phase.h"
+#include "sensor/target_mask.h"
 
 namespace geon::mission {
 
@@ -39,6 +40,7 @@ class ScanPhase {
 
   bool begun_ = false;
   sensor::ScanPlan plan_;
+  sensor::TargetMask mask_;
   double tilt_step_rad_ = 0.0;  // a re-placed stripe's shift
   double pan_step_rad_ = 0.0;
   active_vision::StripeTarget target_;

@@ -30,6 +30,7 @@ class Replayer {
   // Whether the message was good, or none of ours.
   bool Take(const messaging::LogEvent& event) {
     if (event.channel == messaging::kScanPlan) return Hand<sensor::ScanPlan>(event);
+    if (event.channel == messaging::kTargetMask) return Hand<sensor::TargetMask>(event);
     if (event.channel == messaging::kStripe) return Hand<sensor::Stripe>(event);
     if (event.channel == messaging::kScanCommand) return Hand<sensor::ScanCommand>(event);
     if (event.channel == messaging::kGeonVerdict) return Hand<sensor::GeonVerdict>(event);
@@ -50,6 +51,7 @@ class Replayer {
     assembler_->Take(plan);
     log_->scans[plan.scan_id].planned_stripes = assembler_->planned_stripes();
   }
+  void Handle(const sensor::TargetMask& mask) { assembler_->Take(mask); }
   void Handle(const sensor::Stripe& stripe) {
     const ScanAssembler::Answer answer = assembler_->Take(stripe);
     if (answer.profile.status == sensor::ProfileStatus::kRefused) return;

@@ -174,6 +174,7 @@ void LockstepRobot::Obey(const mission::Wishes& wishes) {
     ptu_.SetTarget({wishes.head->pan_rad, wishes.head->tilt_rad, wishes.head->speed_rad_s,
                     wishes.head->command_id});
   }
+  if (wishes.target_mask) assembler_.Take(*wishes.target_mask);
   if (wishes.scan_plan) assembler_.Take(*wishes.scan_plan);
   if (wishes.scan_command) {
     capture_.OnCommand(*wishes.scan_command, time_s_);

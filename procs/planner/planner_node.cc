@@ -104,6 +104,7 @@ void PlannerNode::Send(const mission::Wishes& wishes) {
     bus_->Publish(channel, message);
   };
   if (wishes.head) send(messaging::kPtuCommand, *wishes.head, &seq_.ptu_command);
+  if (wishes.target_mask) send(messaging::kTargetMask, *wishes.target_mask, &seq_.target_mask);
   if (wishes.scan_plan) send(messaging::kScanPlan, *wishes.scan_plan, &seq_.scan_plan);
   if (wishes.scan_command) send(messaging::kScanCommand, *wishes.scan_command, &seq_.scan_command);
   if (wishes.decision) SendView(*wishes.decision);

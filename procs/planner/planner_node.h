@@ -48,7 +48,8 @@ class PlannerNode {
   int64_t command_id_;
   messaging::RateLimiter bad_pictures_;
   struct Sequences {
-    int32_t base_command = 0, ptu_command = 0, scan_plan = 0, scan_command = 0, state = 0, view = 0;
+    int32_t base_command = 0, ptu_command = 0, scan_plan = 0, target_mask = 0, scan_command = 0;
+    int32_t state = 0, view = 0;
   } seq_;
 };
 

@@ -28,6 +28,8 @@ RecognizerNode::RecognizerNode(ScanAssembler assembler, messaging::Bus* bus,
     : assembler_(std::move(assembler)), bus_(bus), health_(health) {
   bus_->Subscribe<sensor::ScanPlan>(
       messaging::kScanPlan, [this](const sensor::ScanPlan& plan) { assembler_.Take(plan); });
+  bus_->Subscribe<sensor::TargetMask>(
+      messaging::kTargetMask, [this](const sensor::TargetMask& mask) { assembler_.Take(mask); });
   bus_->Subscribe<sensor::Stripe>(messaging::kStripe,
                                   [this](const sensor::Stripe& stripe) { HandleStripe(stripe); });
   bus_->Subscribe<sensor::ScanCommand>(messaging::kScanCommand,

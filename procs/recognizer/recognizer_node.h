@@ -6,8 +6,8 @@
 
 namespace geon::recognizer {
 
-// Wires a scan assembler to the bus: SCAN_PLAN, STRIPE and SCAN_COMMAND in, RANGE_PROFILE and
-// GEON_VERDICT out.
+// Wires a scan assembler to the bus: SCAN_PLAN, TARGET_MASK, STRIPE and SCAN_COMMAND in,
+// RANGE_PROFILE and GEON_VERDICT out.
 class RecognizerNode {
  public:
   RecognizerNode(ScanAssembler assembler, messaging::Bus* bus, messaging::HealthReporter* health);

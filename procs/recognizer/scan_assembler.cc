@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "procs/recognizer/difference_image.h"
+#include "rangefinder/color_tags.h"
 #include "rangefinder/range_profile.h"
+#include "recognition/label_points.h"
 #include "recognition/recognize_geon.h"
 
 namespace geon::recognizer {
@@ -23,6 +25,11 @@ bool SamePlan(const sensor::ScanPlan& a, const sensor::ScanPlan& b) {
          a.distance_m == b.distance_m &&
          std::equal(a.stripes.begin(), a.stripes.end(), b.stripes.begin(), b.stripes.end(),
                     SameStripe);
+}
+
+bool LiesInPicture(const sensor::PixelBox& box, const geometry::PinholeCamera& camera) {
+  return box.u_px >= 0 && box.v_px >= 0 && box.u_px + box.w_px <= camera.width_px &&
+         box.v_px + box.h_px <= camera.height_px;
 }
 
 // The answer to a stripe that nothing was measured on.
@@ -68,6 +75,10 @@ void ScanAssembler::Take(const sensor::ScanPlan& plan) {
   newest_utime_ = 0;
 }
 
+void ScanAssembler::Take(const sensor::TargetMask& mask) {
+  if (LiesInPicture(mask.box, rig_.color_camera)) mask_ = mask;
+}
+
 ScanAssembler::Answer ScanAssembler::Take(const sensor::Stripe& stripe) {
   const bool known = plan_ && stripe.scan_id == plan_->scan_id && stripe.stripe_index >= 0 &&
                      static_cast<size_t>(stripe.stripe_index) < plan_->stripes.size() &&
@@ -99,7 +110,7 @@ std::optional<sensor::GeonVerdict> ScanAssembler::Take(const sensor::ScanCommand
 sensor::ScanSet ScanAssembler::CurrentScan() const {
   if (!plan_) return {};
   std::vector<sensor::RangeProfile> profiles;
-  for (const auto& [index, profile] : good_) profiles.push_back(profile);
+  for (const auto& [index, profile] : good_) profiles.push_back(Tagged(profile));
   return MakeScanSet(rig_, *plan_, std::move(profiles));
 }
 
@@ -133,12 +144,18 @@ sensor::RangeProfile ScanAssembler::MeasurePoints(const sensor::Stripe& plain) c
 
 // The region of interest needs horizontal stripes; this one is as good as those already there.
 void ScanAssembler::CountTargetPoints(sensor::RangeProfile* profile) const {
-  const recognition::BackgroundOptions& background = options_.recognition.background;
   sensor::ScanSet scan = CurrentScan();
-  scan.profiles.push_back(*profile);
-  const std::vector<bool> on_target = recognition::FindTargetPoints(
-      *profile, scan, recognition::FindVerticalRegion(scan, background), background);
+  scan.profiles.push_back(Tagged(*profile));
+  const std::vector<bool> on_target =
+      recognition::FindTargetPoints(scan, options_.recognition.BackgroundChosen()).back();
   profile->on_target = static_cast<int32_t>(std::count(on_target.begin(), on_target.end(), true));
+}
+
+sensor::RangeProfile ScanAssembler::Tagged(sensor::RangeProfile profile) const {
+  if (mask_ && mask_->scan_id == plan_->scan_id) {
+    rangefinder::TagColors(*mask_, *plan_, rig_, &profile);
+  }
+  return profile;
 }
 
 sensor::GeonVerdict ScanAssembler::GiveVerdict() {

@@ -12,6 +12,7 @@
 #include "sensor/geon_verdict.h"
 #include "sensor/scan_set.h"
 #include "sensor/stripe.h"
+#include "sensor/target_mask.h"
 
 namespace geon::recognizer {
 
@@ -33,6 +34,8 @@ sensor::ScanSet MakeScanSet(const geometry::SensorRig& rig, const sensor::ScanPl
 //
 // - A plan heard again changes nothing; a plan with another scan_id, or other content, starts a new
 // scan.
+// - The mask of the same scan tells the points' colours, whenever it comes; without it they are not
+//   known.
 // - A stripe heard again is answered from memory. Stripes may come in any order. A stripe of an
 // unknown
 //   scan (this process was started in mid-scan) is refused, and the planner starts anew.
@@ -53,6 +56,7 @@ class ScanAssembler {
   };
 
   void Take(const sensor::ScanPlan& plan);
+  void Take(const sensor::TargetMask& mask);
   Answer Take(const sensor::Stripe& stripe);
   std::optional<sensor::GeonVerdict> Take(const sensor::ScanCommand& command);
 
@@ -64,6 +68,7 @@ class ScanAssembler {
  private:
   sensor::RangeProfile Measure(const sensor::Stripe& stripe) const;
   sensor::RangeProfile MeasurePoints(const sensor::Stripe& plain) const;
+  sensor::RangeProfile Tagged(sensor::RangeProfile profile) const;
   void CountTargetPoints(sensor::RangeProfile* profile) const;
   sensor::GeonVerdict GiveVerdict();
 
@@ -71,6 +76,7 @@ class ScanAssembler {
   std::optional<StripeCalibration> calibration_;
   ScanAssemblerOptions options_;
   std::optional<sensor::ScanPlan> plan_;
+  std::optional<sensor::TargetMask> mask_;                               // heard last
   std::map<std::pair<int32_t, int32_t>, sensor::RangeProfile> answers_;  // (stripe, attempt)
   std::map<int32_t, sensor::RangeProfile> good_;                         // by stripe
   int64_t newest_utime_ = 0;

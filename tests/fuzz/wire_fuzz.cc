@@ -17,6 +17,7 @@
 #include "sensor/ptu.h"
 #include "sensor/scan_set.h"
 #include "sensor/stripe.h"
+#include "sensor/target_mask.h"
 #include "sensor/target_view.h"
 
 namespace {
@@ -54,6 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   Try<sensor::InfraredScan>(bytes);
   Try<sensor::LaserState>(bytes);
   Try<sensor::PlannerState>(bytes);
+  Try<sensor::TargetMask>(bytes);
   Try<sensor::TargetView>(bytes);
   Try<sensor::Health>(bytes);
   Try<sensor::Session>(bytes);

@@ -77,6 +77,7 @@ TEST(Codec, FlippedBitsAreDecodedOrRefusedNeverThrown) {
   FlipBits(samples::GreyImage(5, 3), &random);
   FlipBits(samples::Stripe(), &random);
   FlipBits(samples::ScanPlan(), &random);
+  FlipBits(samples::TargetMask(), &random);
   FlipBits(samples::RangeProfile(), &random);
   FlipBits(samples::Verdict(), &random);
   FlipBits(samples::PlannerState(), &random);

@@ -12,6 +12,7 @@
 #include "sensor/ptu.h"
 #include "sensor/scan_set.h"
 #include "sensor/stripe.h"
+#include "sensor/target_mask.h"
 #include "sensor/target_view.h"
 
 namespace geon::messaging::samples {
@@ -74,6 +75,10 @@ inline sensor::ScanPlan ScanPlan() {
   plan.stripes = {{sensor::Laser::kHorizontal, 0.25, 0.1, -0.2},
                   {sensor::Laser::kVertical, 0.75, 0.15, -0.25}};
   return plan;
+}
+
+inline sensor::TargetMask TargetMask() {
+  return {14, 5, 77, {1, 2, 3, 2}, 0.1, -0.3, {1, 2, 0, 3}};
 }
 
 inline sensor::RangeProfile RangeProfile() {

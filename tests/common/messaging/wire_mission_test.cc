@@ -19,6 +19,28 @@ TEST(WireMission, ScanPlanSurvivesTheRoundTrip) {
   EXPECT_EQ(plan->stripes[1].tilt_rad, -0.25);
 }
 
+TEST(WireMission, TargetMaskSurvivesTheRoundTrip) {
+  const sensor::TargetMask sent = samples::TargetMask();
+  const auto got = Decode<sensor::TargetMask>(Encode(sent));
+  ASSERT_TRUE(got.ok()) << got.message();
+  EXPECT_EQ(got->scan_id, 77);
+  EXPECT_EQ(got->box, sent.box);
+  EXPECT_EQ(got->tilt_rad, -0.3);
+  EXPECT_EQ(got->runs_px, sent.runs_px);
+}
+
+TEST(WireMission, AMaskMustFillItsBox) {
+  sensor::TargetMask mask = samples::TargetMask();
+  mask.runs_px.push_back(1);
+  EXPECT_EQ(FromWire(ToWire(mask)).message(), "runs_px do not fill the box");
+  mask.runs_px = {7, -1};
+  EXPECT_EQ(FromWire(ToWire(mask)).message(), "runs_px has a negative length");
+  mask.box.w_px = 0;
+  EXPECT_EQ(FromWire(ToWire(mask)).message(), "box is empty or lies in no picture");
+  mask.box.w_px = 1000000;
+  EXPECT_FALSE(FromWire(ToWire(mask)).ok());
+}
+
 TEST(WireMission, RangeProfileSurvivesTheRoundTrip) {
   const sensor::RangeProfile sent = samples::RangeProfile();
   const auto got = Decode<sensor::RangeProfile>(Encode(sent));

@@ -265,6 +265,7 @@ void FakeWorld::Obey(const Wishes& wishes) {
   }
   if (wishes.scan_plan && (plans.empty() || plans.back().scan_id != wishes.scan_plan->scan_id)) {
     plans.push_back(*wishes.scan_plan);
+    if (wishes.target_mask) masks.push_back(*wishes.target_mask);
   }
   if (!wishes.scan_command) return;
   const sensor::ScanCommand& command = *wishes.scan_command;

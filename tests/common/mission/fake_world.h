@@ -64,6 +64,7 @@ class FakeWorld {
 
   // What the mission asked for.
   std::vector<sensor::ScanPlan> plans;                  // one per scan id
+  std::vector<sensor::TargetMask> masks;                // one per plan
   std::vector<sensor::ScanCommand> stripe_calls;        // one per (scan, stripe, attempt)
   std::vector<active_vision::HeadAngles> stripe_heads;  // head angles of these
   std::vector<Phase> phases;                            // as entered

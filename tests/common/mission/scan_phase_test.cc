@@ -30,6 +30,25 @@ TEST(ScanPhaseTest, LaysEveryStripeOfThePlanOnceHorizontalOnesFirst) {
   EXPECT_EQ(laid.size(), 6u);
 }
 
+TEST(ScanPhaseTest, ThePlanComesWithTheMaskOfItsTarget) {
+  FakeWorld world(FastOptions());
+  ASSERT_TRUE(world.RunToTheEnd());
+  ASSERT_EQ(world.masks.size(), world.plans.size());
+  const sensor::TargetMask& mask = world.masks[0];
+  EXPECT_EQ(mask.scan_id, world.plans[0].scan_id);
+  EXPECT_EQ(mask.box, world.plans[0].target_box);
+  EXPECT_EQ(mask.pan_rad, world.plans[0].pan_rad);
+  EXPECT_EQ(mask.tilt_rad, world.plans[0].tilt_rad);
+  int pixels = 0, on_target = 0;
+  for (size_t i = 0; i < mask.runs_px.size(); ++i) {
+    pixels += mask.runs_px[i];
+    if (i % 2 == 1) on_target += mask.runs_px[i];
+  }
+  EXPECT_EQ(pixels, mask.box.w_px * mask.box.h_px);
+  EXPECT_GT(on_target, pixels / 3);
+  EXPECT_LT(mask.runs_px.size(), 1000u);  // two bytes each
+}
+
 TEST(ScanPhaseTest, AMissingStripeIsAskedForAgainBesideBeforeTheHeadMovesOn) {
   FakeWorld world(FastOptions());
   world.missing_attempts[1] = 1;

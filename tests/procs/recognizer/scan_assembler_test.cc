@@ -69,6 +69,34 @@ TEST_F(ScanAssemblerTest, MeasuresByTheRigWhereThereAreNoTables) {
   }
 }
 
+TEST_F(ScanAssemblerTest, TagsPointsByTheMaskOfTheSameScanWheneverItComes) {
+  assembler_.Take(plan_);
+  assembler_.Take(Stripe(1));
+  EXPECT_TRUE(assembler_.CurrentScan().profiles[0].on_color_1.empty());
+  sensor::TargetMask mask;
+  mask.scan_id = plan_.scan_id;
+  mask.pan_rad = plan_.pan_rad;
+  mask.tilt_rad = plan_.tilt_rad;
+  mask.box = plan_.target_box;
+  mask.runs_px.push_back(0);
+  for (int v = 0; v < mask.box.h_px; ++v) {
+    mask.runs_px.push_back(static_cast<int16_t>(mask.box.w_px));
+    mask.runs_px.push_back(0);
+  }
+  mask.scan_id = plan_.scan_id + 1;
+  assembler_.Take(mask);
+  EXPECT_TRUE(assembler_.CurrentScan().profiles[0].on_color_1.empty());
+  mask.scan_id = plan_.scan_id;
+  assembler_.Take(mask);
+  const sensor::ScanSet scan = assembler_.CurrentScan();
+  ASSERT_EQ(scan.profiles[0].on_color_1.size(), scan.profiles[0].p_L_m.size());
+  EXPECT_EQ(scan.profiles[0].on_color_1[scan.profiles[0].p_L_m.size() / 2], 1.0);
+  mask.box.u_px = -1;  // of another camera: as if it had not come
+  mask.scan_id = plan_.scan_id + 1;
+  assembler_.Take(mask);
+  EXPECT_FALSE(assembler_.CurrentScan().profiles[0].on_color_1.empty());
+}
+
 TEST_F(ScanAssemblerTest, GivesTheVerdictWithTheLastStripeAndItsTime) {
   assembler_.Take(plan_);
   for (int k = 0; k < 5; ++k) EXPECT_FALSE(assembler_.Take(Stripe(k)).verdict.has_value());
