@@ -145,7 +145,8 @@ BackgroundTrial MakeBackgroundTrial(uint64_t seed, uint64_t t, double baseline_m
   BackgroundTrial trial;
   trial.scene = kBackgroundScenes[t % kBackgroundScenes.size()];
   const Family family = random() % 2 == 0 ? Family::kSuperquadric : Family::kPolygon;
-  const TriangleMesh object = ShapeMesh(RandomShape(random), family);
+  const geons::GeonShape shape = RandomShape(random);
+  const TriangleMesh object = ShapeMesh(shape, family);
 
   ViewOptions view;
   view.range_m = trial.range_m = Uniform(random, 0.7, 2.0);
@@ -164,6 +165,7 @@ BackgroundTrial MakeBackgroundTrial(uint64_t seed, uint64_t t, double baseline_m
   view.floor_m = around.floor_m;
   const ObjectTracer tracer(object, around.mesh.triangles.empty() ? nullptr : &around.mesh);
   trial.labelled = MakeLabelledScan(tracer, view, faults, rangefinder, random);
+  trial.labelled.scan.truth = shape.label;
   return trial;
 }
 

@@ -44,7 +44,7 @@ Surroundings MakeSurroundings(BackgroundScene scene, const geons::TriangleMesh& 
 struct BackgroundTrial {
   BackgroundScene scene = BackgroundScene::kLevel;
   double range_m = 0.0;
-  LabelledScan labelled;  // with colour tags
+  LabelledScan labelled;  // with colour tags and the shape's name
 };
 BackgroundTrial MakeBackgroundTrial(uint64_t seed, uint64_t t, double baseline_m);
 

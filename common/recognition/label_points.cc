@@ -17,6 +17,7 @@ constexpr double kUnknown = 0.2;        // background that lies on no plane
 constexpr double kFarBelow = -8.0;      // support: of a point far below it
 constexpr double kChange = -5.0;        // from target to background or back ...
 constexpr double kChangeAtJump = -1.0;  // ... where the stripe jumps
+constexpr double kFarSigmas = 8.0;      // a point so far off a plane does not lie on it
 constexpr double kNormal = -0.919;      // -log(sqrt(2 pi))
 constexpr double kJump_m = 0.015;       // and eight sigmas: from a point to the next
 // A target's point may lack its colour (a highlight, something before it), and background may lie
@@ -42,19 +43,22 @@ struct Heights {
 
 Heights FindHeights(const RegionProfile& part, const SupportPlane& support) {
   Heights heights;
+  heights.above_m.reserve(part.p_L_m.size());
+  heights.sigma_m.reserve(part.p_L_m.size());
   const double flat_m = std::max(support.sigma_m, kLeastFlat_m);
   const double eye_m = support.Above(part.camera.p_LB_m);
   for (size_t i = 0; i < part.p_L_m.size(); ++i) {
     const double above_m = support.Above(part.p_L_m[i]);
     heights.above_m.push_back(above_m);
-    heights.sigma_m.push_back(
-        std::hypot(flat_m, part.noise_m * (eye_m - above_m) / part.depth_m[i]));
+    const double noise_m = part.noise_m * (eye_m - above_m) / part.depth_m[i];
+    heights.sigma_m.push_back(std::sqrt(flat_m * flat_m + noise_m * noise_m));
   }
   return heights;
 }
 
 double LogNormal(double off_m, double sigma_m) {
   const double share = off_m / sigma_m;
+  if (share * share > kFarSigmas * kFarSigmas) return -kFarSigmas;  // most points
   return kNormal - std::log(sigma_m) - 0.5 * share * share;
 }
 
@@ -69,9 +73,22 @@ double LogRatio(double above_m, double sigma_m, double wall_log) {
   return target - std::max({support, wall_log, kUnknown});
 }
 
+// Log likelihood of a point that lies on the wall.
+double WallLog(const WallPlane& wall, const RegionProfile& part, size_t i) {
+  const Eigen::Vector3d ray_L = part.p_L_m[i] - part.camera.p_LB_m;
+  const double slant_1 = std::abs(wall.normal_L.dot(ray_L)) / part.depth_m[i];
+  return LogNormal(wall.Before(part.p_L_m[i]),
+                   wall.sigma_m + kLeastFlat_m + part.noise_m * slant_1);
+}
+
 double LogColorRatio(double on_color_1) {
-  return std::log(kUncolored_1 + (1.0 - kUncolored_1) * on_color_1) -
-         std::log(kColored_1 + (1.0 - kColored_1) * (1.0 - on_color_1));
+  const auto ratio = [](double p_1) {
+    return std::log((kUncolored_1 + (1.0 - kUncolored_1) * p_1) /
+                    (kColored_1 + (1.0 - kColored_1) * (1.0 - p_1)));
+  };
+  static const double none = ratio(0.0), all = ratio(1.0);  // of most points
+  if (on_color_1 == 0.0 || on_color_1 == 1.0) return on_color_1 == 0.0 ? none : all;
+  return ratio(on_color_1);
 }
 
 bool JumpsTo(const RegionProfile& part, size_t i) {
@@ -204,7 +221,7 @@ ScanLabels LabelPoints(const sensor::ScanSet& scan, const std::optional<Vertical
   const BwCamera camera = CameraAtTarget(scan);
   const std::optional<Extent> rows = FindRows(parts, camera);
   const std::optional<Extent> columns = FindColumns(scan, region, options.margin_px);
-  const std::vector<StripeBlock> blocks = FindStripeBlocks(scan, region, rows);
+  const std::vector<StripeBlock> blocks = FindStripeBlocks(scan, region, parts, rows);
   labels.support = FitSupportPlane(blocks);
   if (labels.support) {
     labels.wall = FindWallPlane(blocks, *labels.support, scan.camera_position_L_m);
@@ -215,14 +232,7 @@ ScanLabels LabelPoints(const sensor::ScanSet& scan, const std::optional<Vertical
     const Heights heights = FindHeights(part, support);
     std::vector<double> ratio(part.p_L_m.size());
     for (size_t i = 0; i < ratio.size(); ++i) {
-      double wall_log = kUnknown;
-      if (labels.wall) {
-        const Eigen::Vector3d ray_L = part.p_L_m[i] - part.camera.p_LB_m;
-        const double slant_1 = std::abs(labels.wall->normal_L.dot(ray_L)) / part.depth_m[i];
-        wall_log =
-            LogNormal(labels.wall->Before(part.p_L_m[i]),
-                      std::hypot(labels.wall->sigma_m + kLeastFlat_m, part.noise_m * slant_1));
-      }
+      const double wall_log = labels.wall ? WallLog(*labels.wall, part, i) : kUnknown;
       ratio[i] = LogRatio(heights.above_m[i], heights.sigma_m[i], wall_log);
       if (!part.on_color_1.empty()) ratio[i] += LogColorRatio(part.on_color_1[i]);
     }

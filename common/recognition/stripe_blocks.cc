@@ -1,9 +1,8 @@
 #include "recognition/stripe_blocks.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "recognition/profile_noise.h"
+#include "base/contracts.h"
 
 namespace geon::recognition {
 namespace {
@@ -14,20 +13,6 @@ constexpr double kBlockPerNoise_1_m = 8000.0;  // points of a block per metre of
 constexpr double kHangTogether_m = 0.02;       // ... and six sigmas: from a point to the next
 constexpr double kFoot_1 = 0.12;               // of the rows are the lowest
 constexpr double kRowMargin_1 = 0.08;          // of the rows: stripes are laid so exactly
-
-// What all points of one profile share.
-struct ProfileView {
-  const sensor::RangeProfile& profile;
-  BwCamera camera;  // as it stood at the stripe
-  double noise_m = 0.0;
-};
-
-double NoiseOf(const sensor::RangeProfile& profile, const BwCamera& camera) {
-  std::vector<double> depth_m;
-  depth_m.reserve(profile.p_L_m.size());
-  for (const Eigen::Vector3d& p_L : profile.p_L_m) depth_m.push_back(camera.InCamera(p_L).z());
-  return DepthNoise(profile.pixel, depth_m);
-}
 
 BlockPlace PlaceOf(const Eigen::Vector3d& p_B_m, sensor::Laser laser,
                    const std::optional<VerticalRegion>& region, const std::optional<Extent>& rows) {
@@ -40,8 +25,7 @@ BlockPlace PlaceOf(const Eigen::Vector3d& p_B_m, sensor::Laser laser,
   return row_1 > foot_1 ? BlockPlace::kAtFoot : BlockPlace::kOnTarget;
 }
 
-StripeBlock MakeBlock(const ProfileView& view, size_t begin, size_t end) {
-  const std::vector<Eigen::Vector3d>& p_L_m = view.profile.p_L_m;
+StripeBlock MakeBlock(std::span<const Eigen::Vector3d> p_L_m, size_t begin, size_t end) {
   const size_t middle = (begin + end) / 2;
   Eigen::Vector3d first_m = Eigen::Vector3d::Zero(), second_m = Eigen::Vector3d::Zero();
   for (size_t i = begin; i < middle; ++i) first_m += p_L_m[i];
@@ -52,7 +36,6 @@ StripeBlock MakeBlock(const ProfileView& view, size_t begin, size_t end) {
   block.along_L =
       (second_m / static_cast<double>(end - middle) - first_m / static_cast<double>(middle - begin))
           .normalized();
-  block.noise_m = view.noise_m;
   return block;
 }
 
@@ -60,15 +43,18 @@ StripeBlock MakeBlock(const ProfileView& view, size_t begin, size_t end) {
 
 std::vector<StripeBlock> FindStripeBlocks(const sensor::ScanSet& scan,
                                           const std::optional<VerticalRegion>& region,
+                                          std::span<const RegionProfile> parts,
                                           const std::optional<Extent>& rows) {
+  Require(parts.size() == scan.profiles.size(), "FindStripeBlocks: the number of parts",
+          parts.size(), "must be that of the scan's profiles");
   const BwCamera at_target = CameraAtTarget(scan);
   std::vector<StripeBlock> blocks;
-  for (const sensor::RangeProfile& profile : scan.profiles) {
-    ProfileView view{profile, CameraAtStripe(scan, profile), 0.0};
-    view.noise_m = NoiseOf(profile, view.camera);
-    const auto wanted = static_cast<size_t>(std::clamp(
-        static_cast<int>(kBlockPerNoise_1_m * view.noise_m), kFewestInBlock, kMostInBlock));
-    const double apart_m = kHangTogether_m + 6.0 * view.noise_m;
+  for (size_t k = 0; k < parts.size(); ++k) {
+    const sensor::RangeProfile& profile = scan.profiles[k];
+    const double noise_m = parts[k].noise_m;
+    const auto wanted = static_cast<size_t>(
+        std::clamp(static_cast<int>(kBlockPerNoise_1_m * noise_m), kFewestInBlock, kMostInBlock));
+    const double apart_m = kHangTogether_m + 6.0 * noise_m;
     const auto apart = [&](size_t i) {
       return (profile.p_L_m[i] - profile.p_L_m[i - 1]).squaredNorm() > apart_m * apart_m;
     };
@@ -77,7 +63,8 @@ std::vector<StripeBlock> FindStripeBlocks(const sensor::ScanSet& scan,
       const bool ends = i == profile.p_L_m.size() || apart(i);
       if (!ends && i - begin < wanted) continue;
       if (i - begin >= static_cast<size_t>(kFewestInBlock)) {
-        StripeBlock& block = blocks.emplace_back(MakeBlock(view, begin, i));
+        StripeBlock& block = blocks.emplace_back(MakeBlock(profile.p_L_m, begin, i));
+        block.noise_m = noise_m;
         block.place = PlaceOf(at_target.InCamera(block.p_L_m), profile.laser, region, rows);
       }
       begin = i;

@@ -27,13 +27,15 @@ struct StripeBlock {
   BlockPlace place = BlockPlace::kOnTarget;
 };
 
-// The blocks of all profiles of a scan, in the order of the pixels. `rows`: between which tangents
+// The blocks of all profiles of a scan, in the order of the pixels. `parts`: as from
+// FindRegionProfiles, whose noise is the stripes'. `rows`: between which tangents
 // y/z of the B/W camera the target lies; without them all blocks of a vertical stripe may be at its
 // foot.
 //
 // Source: ours. A block is longer where the noise is larger, so that its direction means something.
 std::vector<StripeBlock> FindStripeBlocks(const sensor::ScanSet& scan,
                                           const std::optional<VerticalRegion>& region,
+                                          std::span<const RegionProfile> parts,
                                           const std::optional<Extent>& rows);
 
 }  // namespace geon::recognition

@@ -24,7 +24,8 @@ constexpr double kFlat_m = 0.002;      // what a support is expected to be off a
 constexpr double kOnSigmas = 3.0;      // of flatness and noise: what lies on a plane
 constexpr double kBelowCounts = 10.0;  // a block below a plane outweighs so many on it
 constexpr double kRoughest_m = 0.004;  // a support is flatter than that
-constexpr int kSamples = 60;
+constexpr int kSamples = 30;
+constexpr size_t kEnough = 100;      // of more blocks only every n-th is looked at
 constexpr double kCorrelated = 4.0;  // neighbouring blocks err alike: so many count as one
 constexpr std::array<double, 4> kTukeySigmas = {6.0, 4.0, 3.5, 3.5};
 
@@ -53,6 +54,12 @@ std::vector<Sample> SamplesNearSupport(std::span<const StripeBlock> blocks) {
     samples.push_back({block.p_L_m, std::hypot(kFlat_m, block.noise_m / std::sqrt(block.points)),
                        block.points, block.place == BlockPlace::kBeside});
   }
+  const size_t every = samples.size() / kEnough + 1;
+  for (size_t i = 0; i * every < samples.size(); ++i) {
+    samples[i] = samples[i * every];
+    samples[i].points *= static_cast<int>(every);
+  }
+  samples.resize((samples.size() + every - 1) / every);
   return samples;
 }
 
@@ -79,7 +86,8 @@ class PlaneFit {
 
 // How well a plane agrees with the samples and the prior: the samples on it less those below.
 double Score(const Coefficients& plane, std::span<const Sample> samples) {
-  double score = -0.5 * plane.dot(PriorInformation() * plane);
+  static const Eigen::Matrix3d prior = PriorInformation();
+  double score = -0.5 * plane.dot(prior * plane);
   for (const Sample& sample : samples) {
     const double share = HeightAbove(plane, sample.p_m) / (kOnSigmas * sample.sigma_m);
     if (share > 1.0) continue;
@@ -89,7 +97,7 @@ double Score(const Coefficients& plane, std::span<const Sample> samples) {
 }
 
 Coefficients BestPlane(std::span<const Sample> samples) {
-  std::mt19937 random(1);  // always the same samples
+  std::minstd_rand random(1);  // always the same samples
   Coefficients best = Coefficients::Zero();
   double best_score = Score(best, samples);
   for (int k = 0; k < kSamples; ++k) {

@@ -15,8 +15,9 @@ sensor::ScanSet ScanOnFloor() { return *ScanOfGeon(PlainGeons()[0], 0.3, {}, 1);
 
 std::optional<SupportPlane> FitTo(const sensor::ScanSet& scan) {
   const auto region = FindVerticalRegion(scan, {});
-  const auto rows = FindRows(FindRegionProfiles(scan, region), CameraAtTarget(scan));
-  return FitSupportPlane(FindStripeBlocks(scan, region, rows));
+  const auto parts = FindRegionProfiles(scan, region);
+  const auto rows = FindRows(parts, CameraAtTarget(scan));
+  return FitSupportPlane(FindStripeBlocks(scan, region, parts, rows));
 }
 
 // The scan as a robot reports it whose level frame leans by `lean_rad` and lies `low_m` too low.
