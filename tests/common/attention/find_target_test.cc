@@ -79,6 +79,17 @@ TEST(FindTargetTest, LargestBlobWinsAndAllAreListedBySize) {
   EXPECT_EQ(sighting.blobs[2].pixels, 8 * 8);
 }
 
+TEST(FindTargetTest, ChosenBlobComesFirstThoughALineOnTheFloorHasMorePixels) {
+  const auto sighting =
+      FindRed(Picture(200, 100).Paint({10, 80, 180, 14}, kRed).Paint({60, 10, 34, 34}, kRed));
+  ASSERT_EQ(sighting.blobs.size(), 2U);
+  EXPECT_EQ(sighting.target->box, (PixelBox{61, 11, 32, 32}));
+  EXPECT_EQ(sighting.blobs[0].pixels, 32 * 32);
+  EXPECT_EQ(sighting.blobs[1].pixels, 178 * 12);
+  EXPECT_EQ(sighting.mask[20 * 200 + 70], 255);
+  EXPECT_EQ(sighting.mask[85 * 200 + 100], 0);
+}
+
 TEST(FindTargetTest, SpecksAndLinesThinnerThanThreePixelsAreEroded) {
   const auto sighting =
       FindRed(Picture(100, 100).Paint({10, 0, 2, 100}, kRed).Paint({50, 50, 2, 2}, kRed));
@@ -136,6 +147,7 @@ TEST(FindTargetTest, RandomPicturesAreSegmentedAsPixelByPixel) {
     AttentionOptions options;
     options.erosion_neighbors = k % 3 == 0 ? 4 : 8;
     options.min_target_pixels = 1;
+    options.choice = {1e-9, 1e9, 1.0};  // whatever the shape: the largest
     const auto format = k % 2 == 0 ? sensor::PixelFormat::kRgb8 : sensor::PixelFormat::kBgr8;
     const sensor::Image image = RandomImage(width, height, format, random);
     NaiveSegmentation naive = SegmentNaively(image, model, options.erosion_neighbors);
