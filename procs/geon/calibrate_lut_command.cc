@@ -74,7 +74,7 @@ void Report(const LutArguments& arguments, Laser laser, const std::filesystem::p
   const rangefinder::CalibrationReport& report = calibration.report;
   const rangefinder::LookUpTable& table = calibration.table;
   if (arguments.json) {
-    const Json json = {{"laser", Name(laser)},
+    const Json line = {{"laser", Name(laser)},
                        {"file", file.string()},
                        {"first_distance_m", table.first_distance_m},
                        {"last_distance_m", table.last_distance_m()},
@@ -86,7 +86,7 @@ void Report(const LutArguments& arguments, Laser laser, const std::filesystem::p
                        {"worst_line_rms_px", report.worst_line_rms_px},
                        {"missing", report.missing},
                        {"reversed", report.reversed}};
-    std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
+    std::cout << line.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
     return;
   }
   std::cout << file.string() << ": " << Name(laser) << " laser, " << table.distances

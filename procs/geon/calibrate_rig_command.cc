@@ -88,7 +88,7 @@ Result<calibration::RigObservations> Observe(const RigArguments& arguments,
 
 Json JsonOf(const geometry::CalibratedRig& record, const calibration::RigCalibration& found,
             const RigArguments& arguments) {
-  Json json = {{"format", "geon.rig_calibration.v1"},
+  Json root = {{"format", "geon.rig_calibration.v1"},
                {"file", arguments.output.empty() ? Json() : Json(arguments.output)},
                {"date", record.date},
                {"stops", record.stops},
@@ -99,32 +99,32 @@ Json JsonOf(const geometry::CalibratedRig& record, const calibration::RigCalibra
                {"floor", nullptr},
                {"estimates", Json::array()}};
   for (const geometry::RigResidual& residual : record.residuals) {
-    json["residuals"].push_back({{"what", residual.what},
+    root["residuals"].push_back({{"what", residual.what},
                                  {"count", residual.count},
                                  {"rms_px", residual.rms_px},
                                  {"outliers", residual.outliers}});
   }
   for (const geometry::RigRangeSigma& range : record.range_sigmas) {
-    json["range_sigmas"].push_back({{"laser", range.laser},
+    root["range_sigmas"].push_back({{"laser", range.laser},
                                     {"distance_m", range.distance_m},
                                     {"sigma_mm", 1000.0 * range.sigma_m}});
   }
   if (found.floor) {
-    json["floor"] = {{"points", found.floor->points},
+    root["floor"] = {{"points", found.floor->points},
                      {"rms_mm", 1000.0 * found.floor->rms_m},
                      {"pitch_deg", DegreesFromRadians(found.floor->pitch_rad)},
                      {"roll_deg", DegreesFromRadians(found.floor->roll_rad)},
                      {"height_mm", 1000.0 * found.floor->height_m}};
   }
   for (const geometry::RigEstimate& estimate : record.estimates) {
-    json["estimates"].push_back({{"part", estimate.part},
+    root["estimates"].push_back({{"part", estimate.part},
                                  {"what", estimate.what},
                                  {"unit", estimate.unit},
                                  {"difference", estimate.difference},
                                  {"sigma", estimate.sigma},
                                  {"weak", estimate.weak}});
   }
-  return json;
+  return root;
 }
 
 void Print(const geometry::CalibratedRig& record, const calibration::RigCalibration& found) {
