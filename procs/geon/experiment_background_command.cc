@@ -42,12 +42,12 @@ constexpr size_t kScenes = evaluation::kBackgroundScenes.size();
 // A scan on which one in ten of the points that are called the target's are not, or as many lost.
 constexpr double kPoor_f1 = 0.9;
 
-struct Cell {
+struct SceneCell {
   int scans = 0;
   int poor = 0;
   evaluation::PointCounts points;
 };
-using Table = std::array<std::array<Cell, kWays.size()>, kScenes>;
+using SceneTable = std::array<std::array<SceneCell, kWays.size()>, kScenes>;
 
 using TrialCounts = std::array<evaluation::PointCounts, kWays.size()>;
 
@@ -68,7 +68,7 @@ TrialCounts CountTrial(const evaluation::BackgroundTrial& trial) {
   return counts;
 }
 
-Table CountPoints(const BackgroundArguments& arguments) {
+SceneTable CountPoints(const BackgroundArguments& arguments) {
   std::vector<TrialCounts> trials(static_cast<size_t>(arguments.scans));
   Progress progress("geon experiment background");
   // In pieces, between which it is said how far the work is.
@@ -81,10 +81,10 @@ Table CountPoints(const BackgroundArguments& arguments) {
           evaluation::MakeBackgroundTrial(arguments.seed, t, 1e-3 * arguments.baseline_mm));
     });
   }
-  Table table;
+  SceneTable table;
   for (size_t t = 0; t < trials.size(); ++t) {
     for (size_t w = 0; w < kWays.size(); ++w) {
-      Cell& cell = table[t % kScenes][w];  // MakeBackgroundTrial takes the scenes in turn
+      SceneCell& cell = table[t % kScenes][w];  // MakeBackgroundTrial takes the scenes in turn
       ++cell.scans;
       if (trials[t][w].f1_1() < kPoor_f1) ++cell.poor;
       cell.points += trials[t][w];
@@ -97,13 +97,13 @@ std::string SceneName(size_t scene) {
   return std::string(ToString(evaluation::kBackgroundScenes[scene]));
 }
 
-std::string TableText(const Table& table) {
+std::string SceneTableText(const SceneTable& table) {
   std::string text =
       "scene      labels        scans  target points   F1      lost %   strays %  scans below "
       "F1 0.9\n";
   for (size_t s = 0; s < kScenes; ++s) {
     for (size_t w = 0; w < kWays.size(); ++w) {
-      const Cell& cell = table[s][w];
+      const SceneCell& cell = table[s][w];
       const double all = std::max(1.0, static_cast<double>(cell.points.kept + cell.points.lost));
       char line[120];
       std::snprintf(line, sizeof line, "%-10s %-12s %6d %14lld   %.4f %8.2f %9.2f %8d\n",
@@ -118,7 +118,7 @@ std::string TableText(const Table& table) {
 }
 
 // Contract geon.experiment.v1; the same bytes for any number of jobs, hence no seconds.
-std::string RecordText(const BackgroundArguments& arguments, const Table& table) {
+std::string SceneRecordText(const BackgroundArguments& arguments, const SceneTable& table) {
   nlohmann::ordered_json record = {
       {"format", "geon.experiment.v1"},
       {"experiment", "background"},
@@ -131,7 +131,7 @@ std::string RecordText(const BackgroundArguments& arguments, const Table& table)
   nlohmann::ordered_json rates;
   for (size_t s = 0; s < kScenes; ++s) {
     for (size_t w = 0; w < kWays.size(); ++w) {
-      const Cell& cell = table[s][w];
+      const SceneCell& cell = table[s][w];
       record["cells"].push_back({{"scene", SceneName(s)},
                                  {"background", kWays[w].name},
                                  {"n", cell.scans},
@@ -148,10 +148,10 @@ std::string RecordText(const BackgroundArguments& arguments, const Table& table)
   return record.dump(1) + "\n";
 }
 
-int RunBackground(const BackgroundArguments& arguments) {
-  const Table table = CountPoints(arguments);
-  const std::string record = RecordText(arguments, table);
-  std::cout << (arguments.json ? record : TableText(table)) << std::flush;
+int RunBackgroundCommand(const BackgroundArguments& arguments) {
+  const SceneTable table = CountPoints(arguments);
+  const std::string record = SceneRecordText(arguments, table);
+  std::cout << (arguments.json ? record : SceneTableText(table)) << std::flush;
   if (arguments.output.empty()) return kOk;
   std::error_code error;
   std::filesystem::create_directories(arguments.output, error);
@@ -187,7 +187,7 @@ void AddExperimentBackgroundCommand(CLI::App& experiment, int* exit_code) {
       ->capture_default_str();
   command->add_option("-o,--output", arguments->output, "folder for results.json");
   command->add_flag("--json", arguments->json, "print results.json instead of the table");
-  command->callback([arguments, exit_code] { *exit_code = RunBackground(*arguments); });
+  command->callback([arguments, exit_code] { *exit_code = RunBackgroundCommand(*arguments); });
 }
 
 }  // namespace geon::cli

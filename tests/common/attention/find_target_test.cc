@@ -14,16 +14,17 @@ namespace {
 using sensor::PixelBox;
 
 // A grey picture to paint red boxes on.
-class Picture {
+class SegmentedPicture {
  public:
-  Picture(int width_px, int height_px, sensor::PixelFormat format = sensor::PixelFormat::kBgr8) {
+  SegmentedPicture(int width_px, int height_px,
+                   sensor::PixelFormat format = sensor::PixelFormat::kBgr8) {
     image_.width_px = width_px;
     image_.height_px = height_px;
     image_.row_stride_bytes = 3 * width_px + 5;  // rows are padded
     image_.format = format;
     image_.data.assign(static_cast<size_t>(image_.row_stride_bytes * height_px), 90);
   }
-  Picture& Paint(const PixelBox& box, const Rgb& color) {
+  SegmentedPicture& Paint(const PixelBox& box, const Rgb& color) {
     for (int v = box.v_px; v < box.v_px + box.h_px; ++v) {
       for (int u = box.u_px; u < box.u_px + box.w_px; ++u) {
         uint8_t* pixel = &image_.data[static_cast<size_t>(v * image_.row_stride_bytes + 3 * u)];
@@ -43,12 +44,12 @@ class Picture {
 
 constexpr Rgb kRed{160, 40, 40};
 
-TargetSighting FindRed(const Picture& picture, const AttentionOptions& options = {}) {
+TargetSighting FindRed(const SegmentedPicture& picture, const AttentionOptions& options = {}) {
   return FindTarget(picture.image(), *NamedColorModel("super-red"), options);
 }
 
 TEST(FindTargetTest, BoxIsTheTargetsLessTheErodedRim) {
-  const auto sighting = FindRed(Picture(100, 80).Paint({20, 30, 22, 12}, kRed));
+  const auto sighting = FindRed(SegmentedPicture(100, 80).Paint({20, 30, 22, 12}, kRed));
   ASSERT_TRUE(sighting.target);
   EXPECT_EQ(sighting.target->box, (PixelBox{21, 31, 20, 10}));
   EXPECT_EQ(sighting.target->pixels, 200);
@@ -64,12 +65,13 @@ TEST(FindTargetTest, BoxIsTheTargetsLessTheErodedRim) {
 
 TEST(FindTargetTest, ChannelOrderFollowsTheFormat) {
   EXPECT_TRUE(
-      FindRed(Picture(64, 64, sensor::PixelFormat::kRgb8).Paint({20, 20, 20, 20}, kRed)).target);
-  EXPECT_FALSE(FindRed(Picture(64, 64).Paint({20, 20, 20, 20}, {40, 40, 160})).target);
+      FindRed(SegmentedPicture(64, 64, sensor::PixelFormat::kRgb8).Paint({20, 20, 20, 20}, kRed))
+          .target);
+  EXPECT_FALSE(FindRed(SegmentedPicture(64, 64).Paint({20, 20, 20, 20}, {40, 40, 160})).target);
 }
 
 TEST(FindTargetTest, LargestBlobWinsAndAllAreListedBySize) {
-  const auto sighting = FindRed(Picture(200, 100)
+  const auto sighting = FindRed(SegmentedPicture(200, 100)
                                     .Paint({10, 10, 20, 20}, kRed)
                                     .Paint({60, 10, 40, 40}, kRed)
                                     .Paint({150, 10, 10, 10}, kRed));
@@ -80,8 +82,8 @@ TEST(FindTargetTest, LargestBlobWinsAndAllAreListedBySize) {
 }
 
 TEST(FindTargetTest, ChosenBlobComesFirstThoughALineOnTheFloorHasMorePixels) {
-  const auto sighting =
-      FindRed(Picture(200, 100).Paint({10, 80, 180, 14}, kRed).Paint({60, 10, 34, 34}, kRed));
+  const auto sighting = FindRed(
+      SegmentedPicture(200, 100).Paint({10, 80, 180, 14}, kRed).Paint({60, 10, 34, 34}, kRed));
   ASSERT_EQ(sighting.blobs.size(), 2U);
   EXPECT_EQ(sighting.target->box, (PixelBox{61, 11, 32, 32}));
   EXPECT_EQ(sighting.blobs[0].pixels, 32 * 32);
@@ -92,7 +94,7 @@ TEST(FindTargetTest, ChosenBlobComesFirstThoughALineOnTheFloorHasMorePixels) {
 
 TEST(FindTargetTest, SpecksAndLinesThinnerThanThreePixelsAreEroded) {
   const auto sighting =
-      FindRed(Picture(100, 100).Paint({10, 0, 2, 100}, kRed).Paint({50, 50, 2, 2}, kRed));
+      FindRed(SegmentedPicture(100, 100).Paint({10, 0, 2, 100}, kRed).Paint({50, 50, 2, 2}, kRed));
   EXPECT_EQ(sighting.color_pixels, 204);
   EXPECT_TRUE(sighting.blobs.empty());
   EXPECT_FALSE(sighting.target);
@@ -105,13 +107,14 @@ TEST(FindTargetTest, FourNeighborErosionSparesPixelsWithOnlyDiagonalBackground) 
   four.min_target_pixels = 1;
   AttentionOptions eight = four;
   eight.erosion_neighbors = 8;
-  const Picture hole = Picture(50, 50).Paint({10, 10, 21, 21}, kRed).Paint({20, 20, 1, 1}, {});
+  const SegmentedPicture hole =
+      SegmentedPicture(50, 50).Paint({10, 10, 21, 21}, kRed).Paint({20, 20, 1, 1}, {});
   EXPECT_EQ(FindRed(hole, four).target->pixels, 19 * 19 - 5);
   EXPECT_EQ(FindRed(hole, eight).target->pixels, 19 * 19 - 9);
 }
 
 TEST(FindTargetTest, TargetThatLeavesTheImageTouchesItsEdges) {
-  const auto sighting = FindRed(Picture(100, 80).Paint({60, 40, 40, 40}, kRed));
+  const auto sighting = FindRed(SegmentedPicture(100, 80).Paint({60, 40, 40, 40}, kRed));
   EXPECT_TRUE(sighting.touched.right);
   EXPECT_TRUE(sighting.touched.bottom);
   EXPECT_FALSE(sighting.touched.left);
@@ -122,7 +125,7 @@ TEST(FindTargetTest, TargetThatLeavesTheImageTouchesItsEdges) {
 TEST(FindTargetTest, BlobSmallerThanAGeonIsNoTarget) {
   AttentionOptions options;
   options.min_target_pixels = 100;
-  const Picture picture = Picture(100, 80).Paint({20, 30, 11, 11}, kRed);
+  const SegmentedPicture picture = SegmentedPicture(100, 80).Paint({20, 30, 11, 11}, kRed);
   EXPECT_FALSE(FindRed(picture, options).target);
   EXPECT_EQ(FindRed(picture, options).blobs.size(), 1U);
   options.min_target_pixels = 81;
@@ -130,7 +133,7 @@ TEST(FindTargetTest, BlobSmallerThanAGeonIsNoTarget) {
 }
 
 TEST(FindTargetTest, ClippedPixelsAreCountedInsideTheBoxOnly) {
-  const auto sighting = FindRed(Picture(100, 80)
+  const auto sighting = FindRed(SegmentedPicture(100, 80)
                                     .Paint({20, 30, 22, 12}, kRed)
                                     .Paint({25, 35, 4, 2}, {255, 250, 251})
                                     .Paint({80, 10, 5, 5}, {255, 255, 255}));
@@ -176,7 +179,7 @@ TEST(FindTargetTest, RandomPicturesAreSegmentedAsPixelByPixel) {
 }
 
 TEST(FindTargetTest, BrokenContractsThrow) {
-  Picture picture(10, 10);
+  SegmentedPicture picture(10, 10);
   AttentionOptions options;
   options.erosion_neighbors = 6;
   EXPECT_THROW(FindRed(picture, options), ContractViolation);
