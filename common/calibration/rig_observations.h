@@ -17,7 +17,8 @@ struct Chessboard {
   // Of corner `index`, row by row from the top left, in the board's frame: x to the right, y down,
   // z away from the viewer, origin in the first corner.
   Eigen::Vector3d Corner(int index) const {
-    return {square_m * (index % columns), square_m * (index / columns), 0.0};
+    const int row = index / columns;
+    return {square_m * (index % columns), square_m * row, 0.0};
   }
 };
 

@@ -98,8 +98,8 @@ ColorScore ScoreOf(const attention::TargetSighting& sighting,
                    const std::vector<uint8_t>& is_target) {
   if (!sighting.target) return {};
   const Eigen::Vector2d& center_px = sighting.target->center_px;
-  const auto u = static_cast<size_t>(center_px.x() + 0.5);
-  const auto v = static_cast<size_t>(center_px.y() + 0.5);
+  const auto u = static_cast<size_t>(std::lround(center_px.x()));
+  const auto v = static_cast<size_t>(std::lround(center_px.y()));
   ColorScore score;
   score.found = is_target[v * static_cast<size_t>(sighting.width_px) + u] != 0;
   int both = 0, either = 0;
