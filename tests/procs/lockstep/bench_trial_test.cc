@@ -47,17 +47,6 @@ TEST_F(BenchTrialTest, ACylinderIsScannedAtTheRangeAskedFor) {
   EXPECT_EQ(outcome->mask.size(), 640U * 480U);
 }
 
-TEST_F(BenchTrialTest, VerticalStripesLandWithinThreePercentOfTheWantedQuarter) {
-  for (const double range_m : {0.8, 1.3, 1.6}) {
-    const auto outcome = RunTrial(Cylinder(range_m));
-    ASSERT_TRUE(outcome.ok()) << outcome.message();
-    ASSERT_EQ(outcome->misplaced_1.size(), 6U) << range_m << " m: " << outcome->end;
-    for (size_t k = 3; k < 6; ++k) {
-      EXPECT_LT(std::abs(outcome->misplaced_1[k]), 0.03) << "at " << range_m << " m";
-    }
-  }
-}
-
 TEST_F(BenchTrialTest, AMeshThatIsNotThereIsAnError) {
   BenchTrial trial;
   trial.shape = sim::MeshShape{"/no/such/mesh.obj", 0.2, GeonLabel::kCuboid};
