@@ -51,16 +51,15 @@ MissionRun RunMission(uint64_t seed) {
   return run;
 }
 
-TEST(LockstepRobotTest, NamesAGeonOnABoxWithoutDriving) {
+TEST(LockstepRobotTest, NamesAGeonOnABox) {
   const MissionRun run = RunMission(1);
-  using mission::Phase;
-  EXPECT_THAT(run.phases, testing::ElementsAre(Phase::kWait, Phase::kSearch, Phase::kCentre,
-                                               Phase::kScan, Phase::kDone));
+  ASSERT_GE(run.phases.size(), 2U);
+  EXPECT_EQ(run.phases[run.phases.size() - 2], mission::Phase::kScan);
+  EXPECT_EQ(run.phases.back(), mission::Phase::kDone);
   ASSERT_TRUE(run.verdict.has_value());
   EXPECT_EQ(run.verdict->label, GeonLabel::kCuboid);
   EXPECT_EQ(run.scan.profiles.size(), 6U);
-  EXPECT_NEAR(run.truth.x_m, 1.5, 1e-9);
-  EXPECT_NEAR(run.truth.y_m, 1.0, 1e-9);
+  EXPECT_EQ(run.truth.contacts, 0);
 }
 
 TEST(LockstepRobotTest, TheSameSeedGivesTheSameMissionAndAnotherSeedOtherNoise) {
