@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
+
 namespace geon::active_vision {
 namespace {
 
@@ -46,11 +48,9 @@ std::optional<double> SurfaceDistance(const geometry::SensorRig& rig, const Stri
   const size_t count = std::min(kNearest, seen.size());
   std::partial_sort(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(count), seen.end(),
                     [](const SeenPoint& a, const SeenPoint& b) { return a.away_1 < b.away_1; });
-  const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(
-      seen.begin(), middle, seen.begin() + static_cast<std::ptrdiff_t>(count),
-      [](const SeenPoint& a, const SeenPoint& b) { return a.distance_m < b.distance_m; });
-  return middle->distance_m;
+  std::vector<double> nearest_m;
+  for (size_t k = 0; k < count; ++k) nearest_m.push_back(seen[k].distance_m);
+  return Median(std::move(nearest_m));
 }
 
 }  // namespace geon::active_vision

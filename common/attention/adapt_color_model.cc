@@ -5,18 +5,13 @@
 #include <vector>
 
 #include "attention/rgb_image.h"
+#include "base/median.h"
 
 namespace geon::attention {
 namespace {
 
 constexpr int kDarkLevel = 40;  // darker: the ratios are mostly noise
 constexpr int kClippedLevel = 250;
-
-double MedianOf(std::vector<double>* values) {
-  const auto middle = values->begin() + static_cast<std::ptrdiff_t>(values->size() / 2);
-  std::nth_element(values->begin(), middle, values->end());
-  return *middle;
-}
 
 std::vector<HalfSpaceColor> Adapted(std::vector<HalfSpaceColor> regions, const LightGain& gain) {
   for (HalfSpaceColor& region : regions) {
@@ -47,8 +42,8 @@ std::optional<LightGain> MeasureLightGain(const sensor::Image& image, const Rgb&
   }
   const size_t all = static_cast<size_t>(image.width_px) * static_cast<size_t>(image.height_px);
   if (red_1.empty() || red_1.size() < all / 10) return std::nullopt;
-  return LightGain{MedianOf(&red_1) * known.green / known.red,
-                   MedianOf(&blue_1) * known.green / known.blue};
+  return LightGain{Median(std::move(red_1)) * known.green / known.red,
+                   Median(std::move(blue_1)) * known.green / known.blue};
 }
 
 sensor::Image UnderNeutralLight(const sensor::Image& image, const LightGain& gain) {

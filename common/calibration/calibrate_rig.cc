@@ -164,9 +164,7 @@ double RangeAt(const RigUnknowns& unknowns, const SensorRig& drawn, Laser which,
                const Eigen::Vector2d& pixel_px) {
   const SensorRig rig = RigFrom(unknowns, drawn);
   const LaserMount& laser = which == Laser::kVertical ? rig.vertical_laser : rig.horizontal_laser;
-  const Eigen::Vector3d ray_T =
-      rig.X_TB.linear() * rig.stripe_camera.Ray(pixel_px.x(), pixel_px.y());
-  return Baseline(laser, rig) / laser.normal_T.dot(ray_T);
+  return rig.DistanceToFan(laser, rig.stripe_camera.Ray(pixel_px.x(), pixel_px.y()));
 }
 
 Eigen::Vector2d StripePixel(const SensorRig& rig, Laser which, double distance_m) {
@@ -257,8 +255,8 @@ geometry::CalibratedRig RecordOf(const RigCalibration& calibration, const std::s
         {kMeasurementNames[k], residuals.count, residuals.rms_px, residuals.outliers});
   }
   for (const RangeSigma& range : calibration.range_sigmas) {
-    record.range_sigmas.push_back({range.laser == Laser::kVertical ? "vertical" : "horizontal",
-                                   range.distance_m, range.sigma_m});
+    record.range_sigmas.push_back(
+        {std::string(ToString(range.laser)), range.distance_m, range.sigma_m});
   }
   for (int k = 0; k < RigUnknowns::kAll; ++k) {
     const auto i = static_cast<size_t>(k);

@@ -50,16 +50,12 @@ double Spread_m(const std::vector<Eigen::Vector3d>& p_R_m) {
 Result<FloorFit> FitFloor(const std::vector<FloorView>& views, const geometry::SensorRig& rig,
                           const FloorOptions& options) {
   std::vector<Eigen::Vector3d> p_R_m;
-  const Eigen::Vector3d& normal_T = rig.horizontal_laser.normal_T;
-  const Eigen::Vector3d eye_T = rig.X_TB.translation();
-  const double ahead = normal_T.dot(rig.horizontal_laser.p_TLaser_m - eye_T);
   for (const FloorView& view : views) {
-    const geometry::RigidTransform X_RT = rig.HeadPose(view.pan_rad, view.tilt_rad);
+    const geometry::RigidTransform X_RB = rig.StripeCameraPose(view.pan_rad, view.tilt_rad);
     for (const Eigen::Vector2d& pixel_px : view.horizontal_px) {
-      const Eigen::Vector3d ray_T =
-          rig.X_TB.linear() * rig.stripe_camera.Ray(pixel_px.x(), pixel_px.y());
-      const double depth_m = ahead / normal_T.dot(ray_T);
-      if (depth_m > 0.0 && depth_m < 5.0) p_R_m.push_back(X_RT * (eye_T + depth_m * ray_T));
+      const Eigen::Vector3d ray_B = rig.stripe_camera.Ray(pixel_px.x(), pixel_px.y());
+      const double depth_m = rig.DistanceToFan(rig.horizontal_laser, ray_B);
+      if (depth_m > 0.0 && depth_m < 5.0) p_R_m.push_back(X_RB * (depth_m * ray_B));
     }
   }
   return FitFloorPoints(p_R_m, rig, options);

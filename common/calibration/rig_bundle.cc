@@ -7,6 +7,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core.hpp>
 
+#include "base/median.h"
 #include "calibration/rig_model.h"
 
 namespace geon::calibration {
@@ -108,12 +109,6 @@ RigidTransform TransformOf(const BoardPose& pose) {
   return geometry::MakeTransform(
       Eigen::AngleAxisd(turn_rad.norm(), turn_rad.normalized()).toRotationMatrix(),
       {pose[3], pose[4], pose[5]});
-}
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // The problem and all it points to.

@@ -169,7 +169,7 @@ json RotationJson(const Eigen::Matrix3d& R) {
 }
 
 json StripeJson(const sensor::RangeProfile& profile) {
-  json stripe = {{"laser", profile.laser == sensor::Laser::kVertical ? "vertical" : "horizontal"},
+  json stripe = {{"laser", ToString(profile.laser)},
                  {"fraction", profile.fraction},
                  {"pixel", profile.pixel},
                  {"points_m", json::array()}};

@@ -10,14 +10,10 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json ProfileJson(const sensor::ProfileEvidence& profile) {
-  return {{"laser", profile.laser == sensor::Laser::kVertical ? "vertical" : "horizontal"},
-          {"fraction", profile.fraction},
-          {"points", profile.points},
-          {"segments", profile.segments},
-          {"curves", profile.curves},
-          {"corners", profile.corners},
-          {"concavities", profile.concavities},
-          {"length_m", profile.length_m}};
+  return {{"laser", ToString(profile.laser)},   {"fraction", profile.fraction},
+          {"points", profile.points},           {"segments", profile.segments},
+          {"curves", profile.curves},           {"corners", profile.corners},
+          {"concavities", profile.concavities}, {"length_m", profile.length_m}};
 }
 
 ordered_json EvidenceJson(const sensor::GeonVerdict& verdict) {

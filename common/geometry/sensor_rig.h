@@ -53,6 +53,12 @@ struct SensorRig {
   RigidTransform StripeCameraPose(double pan_rad, double tilt_rad) const {
     return HeadPose(pan_rad, tilt_rad) * X_TB;
   }
+  // Where a ray of the B/W camera (its frame, z = 1) meets a laser's fan: the distance along the
+  // optical axis. Negative behind the camera, not finite where the two run side by side.
+  double DistanceToFan(const LaserMount& laser, const Eigen::Vector3d& ray_B) const {
+    const Eigen::Vector3d normal_B = X_TB.linear().transpose() * laser.normal_T;
+    return laser.normal_T.dot(laser.p_TLaser_m - X_TB.translation()) / normal_B.dot(ray_B);
+  }
 };
 
 // X_RL of the level frame of a scan, given the pose of the B/W camera at which the target was

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
+
 namespace geon::mission {
 
 namespace {
@@ -77,9 +79,7 @@ std::optional<double> MeasuredDistance(const sensor::RangeProfile& profile,
     distances_m.push_back(profile.p_L_m[i].x());
   }
   if (distances_m.size() < kMinPoints) return std::nullopt;
-  const auto middle = distances_m.begin() + static_cast<long>(distances_m.size() / 2);
-  std::nth_element(distances_m.begin(), middle, distances_m.end());
-  return *middle;
+  return Median(std::move(distances_m));
 }
 
 }  // namespace geon::mission

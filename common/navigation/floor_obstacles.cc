@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/contracts.h"
+#include "base/median.h"
 
 namespace geon::navigation {
 
@@ -68,17 +69,11 @@ FloorColumn FollowColumn(const cv::Mat& not_floor, int u_px, const geometry::Pin
   return column;
 }
 
-double Median(std::vector<double>* values) {
-  const auto middle = values->begin() + static_cast<long>(values->size() / 2);
-  std::nth_element(values->begin(), middle, values->end());
-  return *middle;
-}
-
 // Standard deviation about a median, from the median of distances, which seams and specks do not
 // move.
 double Spread(std::vector<double> values, double median) {
   for (double& value : values) value = std::abs(value - median);
-  return 1.4826 * Median(&values);
+  return 1.4826 * Median(std::move(values));
 }
 
 constexpr double kNoiseMargin_1 = 4.5;     // standard deviations of floor that are still floor
@@ -180,9 +175,9 @@ std::optional<FloorModel> LearnFloor(const cv::Mat& image_bgr,
   if (patch.empty()) return std::nullopt;
 
   FloorModel model = prior;
-  model.red_share_1 = Median(&red_1);
-  model.green_share_1 = Median(&green_1);
-  model.level = Median(&level);
+  model.red_share_1 = Median(std::move(red_1));
+  model.green_share_1 = Median(std::move(green_1));
+  model.level = Median(std::move(level));
   const double noise_1 =
       std::max(Spread(red_1, model.red_share_1), Spread(green_1, model.green_share_1));
   model.share_tolerance_1 =

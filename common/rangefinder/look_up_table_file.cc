@@ -146,7 +146,7 @@ std::string SerializeLookUpTable(const LookUpTable& table) {
   const auto add = [&bytes](std::string_view key, const std::string& value) {
     bytes.append("\n").append(key).append(" ").append(value);
   };
-  add("laser", table.laser == sensor::Laser::kVertical ? "vertical" : "horizontal");
+  add("laser", std::string(ToString(table.laser)));
   add("date", table.date);
   add("width_px", Text(table.width_px));
   add("height_px", Text(table.height_px));

@@ -76,12 +76,10 @@ sensor::RangeProfile TriangulateStripe(const sensor::Stripe& stripe, const senso
               stripe.difference.height_px == rig.stripe_camera.height_px,
           "TriangulateStripe: the stripe's image has not the size of the rig's B/W camera");
   const geometry::LaserMount& laser = LaserOf(stripe, rig);
-  const Eigen::Vector3d normal_B = rig.X_TB.linear().transpose() * laser.normal_T;
-  const double offset_m = laser.normal_T.dot(laser.p_TLaser_m - rig.X_TB.translation());
   return ProfileOf(
       stripe, plan, rig, options,
       [&](const StripePeak& /*peak*/, const Eigen::Vector3d& ray_B) -> std::optional<double> {
-        const double z_m = offset_m / normal_B.dot(ray_B);
+        const double z_m = rig.DistanceToFan(laser, ray_B);
         if (!(z_m >= triangulation.nearest_m && z_m <= triangulation.farthest_m)) {
           return std::nullopt;
         }

@@ -1,12 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "sensor/image.h"
 
 namespace geon::sensor {
 
 enum class Laser { kNone = 0, kHorizontal = 1, kVertical = 2 };
+
+// "horizontal", "vertical" or "none": in files and for people.
+constexpr std::string_view ToString(Laser laser) {
+  if (laser == Laser::kNone) return "none";
+  return laser == Laser::kVertical ? "vertical" : "horizontal";
+}
 
 // Ask for one stripe: which laser, for which stripe of which scan. Desired state: re-sent until the
 // stripe or its refusal arrives; the same (scan_id, stripe_index, attempt) is answered from memory.

@@ -19,15 +19,10 @@ std::string BenchFacts(const BenchRecord& record) {
         Fact(Fixed(100.0 * range.all.value_1(), 1) + " %",
              "right of " + std::to_string(range.all.n) + " at " + Fixed(range.range_m, 2) + " m");
   }
-  std::vector<double> from_sight_s, from_view_s;
-  for (const BenchTrialRecord& trial : record.trials) {
-    if (trial.answer && trial.from_sight_s) from_sight_s.push_back(*trial.from_sight_s);
-    if (trial.answer && trial.from_view_s) from_view_s.push_back(*trial.from_view_s);
-  }
-  if (const auto spread = SpreadOf(from_sight_s)) {
+  if (const auto spread = SpreadOf(SightTimes(record))) {
     html += Fact(Fixed(spread->p50, 1) + " s", "from first sight to the verdict (median)");
   }
-  if (const auto spread = SpreadOf(from_view_s)) {
+  if (const auto spread = SpreadOf(ViewTimes(record))) {
     html += Fact(Fixed(spread->p50, 1) + " s", "from the whole target in view (median)");
   }
   if (const auto spread = SpreadOf(Misplacements(record))) {
@@ -76,6 +71,14 @@ std::string WorstRuns(const BenchRecord& record) {
          WorstViewFigures(shown);
 }
 
+// What was asked for, in words; conditions of records that others wrote may lack any of it.
+std::string Conditions(const nlohmann::json& conditions) {
+  const std::string meshes = conditions.value("meshes", "");
+  return std::to_string(conditions.value("poses", 0)) + " poses of each of " +
+         (meshes.empty() ? "the 28 objects" : "the meshes of " + Escape(meshes)) +
+         ", distances by calibration " + Escape(conditions.value("calibration", "unknown"));
+}
+
 std::string BenchBody(const BenchRecord& record) {
   evaluation::SuccessRate all;
   for (const BenchTrialRecord& trial : record.trials) all.Count(trial.right());
@@ -86,8 +89,8 @@ std::string BenchBody(const BenchRecord& record) {
       "laser stripes and names it: rendered pictures, serial protocols and calibration included, "
       "in "
       "virtual time. Tables 6.8–6.10 of the thesis.</p><p class=\"muted\">Seed " +
-      std::to_string(record.seed) + ", build " + Escape(record.git) + ". " +
-      Escape(record.conditions.dump()) + "</p>" + BenchFacts(record);
+      std::to_string(record.seed) + ", build " + Escape(record.git) + ", " +
+      Conditions(record.conditions) + ".</p>" + BenchFacts(record);
   for (const BenchRange& range : BenchRanges(record)) html += RangeSection(range);
   return html + WorstRuns(record) +
          "<footer>Written by geon experiment bench. results.json beside this page holds every "

@@ -88,6 +88,15 @@ json BenchCells(const BenchRecord& record) {
   return cells;
 }
 
+std::vector<double> TimesOf(const BenchRecord& record,
+                            std::optional<double> BenchTrialRecord::*time_s) {
+  std::vector<double> times_s;
+  for (const BenchTrialRecord& trial : record.trials) {
+    if (trial.answer && trial.*time_s) times_s.push_back(*(trial.*time_s));
+  }
+  return times_s;
+}
+
 json SpreadJson(std::vector<double> values) {
   const auto spread = SpreadOf(std::move(values));
   if (!spread) return nullptr;
@@ -110,16 +119,10 @@ json BenchRates(const BenchRecord& record) {
     all.right += range.all.right;
     all.n += range.all.n;
   }
-  std::vector<double> from_sight_s, from_view_s;
-  for (const BenchTrialRecord& trial : record.trials) {
-    if (!trial.answer) continue;
-    if (trial.from_sight_s) from_sight_s.push_back(*trial.from_sight_s);
-    if (trial.from_view_s) from_view_s.push_back(*trial.from_view_s);
-  }
   return {{"all", RateJson(all)},
           {"ranges", ranges},
-          {"from_sight_s", SpreadJson(std::move(from_sight_s))},
-          {"from_view_s", SpreadJson(std::move(from_view_s))},
+          {"from_sight_s", SpreadJson(SightTimes(record))},
+          {"from_view_s", SpreadJson(ViewTimes(record))},
           {"misplaced", SpreadJson(Misplacements(record))}};
 }
 
@@ -132,6 +135,13 @@ std::optional<Spread> SpreadOf(std::vector<double> values) {
     return values[static_cast<size_t>(std::ceil(share_1 * static_cast<double>(values.size()))) - 1];
   };
   return Spread{at(0.5), at(0.95), values.back()};
+}
+
+std::vector<double> SightTimes(const BenchRecord& record) {
+  return TimesOf(record, &BenchTrialRecord::from_sight_s);
+}
+std::vector<double> ViewTimes(const BenchRecord& record) {
+  return TimesOf(record, &BenchTrialRecord::from_view_s);
 }
 
 std::vector<double> Misplacements(const BenchRecord& record) {

@@ -66,6 +66,10 @@ struct Spread {
   double p50 = 0.0, p95 = 0.0, max = 0.0;
 };
 std::optional<Spread> SpreadOf(std::vector<double> values);
+// Virtual seconds of the runs that gave an answer: from the first sight, from the whole target in
+// view.
+std::vector<double> SightTimes(const BenchRecord& record);
+std::vector<double> ViewTimes(const BenchRecord& record);
 // How far beside their quarters stripes lie, without sign, of all trials.
 std::vector<double> Misplacements(const BenchRecord& record);
 

@@ -76,15 +76,10 @@ std::string BenchTables(const BenchRecord& record) {
   if (record.trials.empty()) return "No trials.\n";
   std::string text;
   for (const BenchRange& range : BenchRanges(record)) text += RangeTable(range);
-  std::vector<double> from_sight_s, from_view_s;
-  for (const BenchTrialRecord& trial : record.trials) {
-    if (!trial.answer) continue;
-    if (trial.from_sight_s) from_sight_s.push_back(*trial.from_sight_s);
-    if (trial.from_view_s) from_view_s.push_back(*trial.from_view_s);
-  }
+  text += "\n";
   text +=
-      "\n" + SpreadText("first sight to verdict, virtual time:", SpreadOf(from_sight_s), 1.0, "s");
-  text += SpreadText("whole target in view to verdict:", SpreadOf(from_view_s), 1.0, "s");
+      SpreadText("first sight to verdict, virtual time:", SpreadOf(SightTimes(record)), 1.0, "s");
+  text += SpreadText("whole target in view to verdict:", SpreadOf(ViewTimes(record)), 1.0, "s");
   text += SpreadText("stripes beside their quarter:", SpreadOf(Misplacements(record)), 100.0,
                      "% of the target");
   return text;

@@ -9,22 +9,13 @@
 
 #include "config/text_file.h"
 #include "procs/geon/image_file.h"
+#include "procs/lockstep/frame_image.h"
 #include "sim/rig_renderer.h"
 
 namespace geon::cli {
 namespace {
 
 using sensor::Laser;
-
-sensor::Image GrayImage(sim::Frame frame) {
-  sensor::Image image;
-  image.width_px = frame.width_px;
-  image.height_px = frame.height_px;
-  image.row_stride_bytes = frame.width_px;
-  image.format = sensor::PixelFormat::kGray8;
-  image.data = std::move(frame.pixels);
-  return image;
-}
 
 struct ListedFrame {
   std::string lit;
@@ -71,12 +62,12 @@ Result<ListedFrames> ReadListing(const std::filesystem::path& file, Laser wanted
     if (failure != std::errc() || stop != end || !(distance_m > 0.0) || !(distance_m < 100.0)) {
       return error("distance_m must be a number of metres");
     }
-    if ((fields[0] == "vertical") != (wanted == Laser::kVertical)) continue;
+    if (fields[0] != ToString(wanted)) continue;
     listed[distance_m].push_back({fields[2], fields[3]});
   }
   if (listed.empty()) {
     return Status::Error(file.string() + ": lists no frames of the " +
-                         (wanted == Laser::kVertical ? "vertical" : "horizontal") + " laser");
+                         std::string(ToString(wanted)) + " laser");
   }
   return listed;
 }
@@ -117,8 +108,8 @@ BoardSeries SimulatedBoard(const geometry::SensorRig& designed, const sim::Rende
     for (int frame = 0; frame < steps.frames; ++frame) {
       const int64_t seq = 2 * (static_cast<int64_t>(k) * steps.frames + frame) +
                           (laser == Laser::kVertical ? 1'000'000 : 0);
-      const auto lit = GrayImage(renderer->HeadBw(pose, burning, seq));
-      const auto unlit = GrayImage(renderer->HeadBw(pose, {}, seq + 1));
+      const auto lit = lockstep::ImageOf(renderer->HeadBw(pose, burning, seq));
+      const auto unlit = lockstep::ImageOf(renderer->HeadBw(pose, {}, seq + 1));
       board.light.push_back(rangefinder::LaserLight(lit, unlit, rangefinder::LaserColor::kMono));
     }
     return board;

@@ -2,15 +2,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "config/daemon_arguments.h"
-#include "config/rig_config.h"
 #include "config/text_file.h"
 #include "procs/geon/board_frames.h"
 #include "procs/geon/calibrate_commands.h"
 #include "procs/geon/commands.h"
 #include "procs/geon/progress_bar.h"
 #include "rangefinder/look_up_table.h"
-#include "sim/sim_config.h"
 
 namespace geon::cli {
 namespace {
@@ -22,15 +19,12 @@ struct LutArguments {
   std::string output;
   std::string frames_dir;
   std::string laser_color = "mono";
-  std::string robot_file;
-  std::string sim_file;
+  SimulatedBoardArguments simulated = InstalledRobot();
   std::string date;
-  uint64_t seed = 1;
-  BoardSteps steps;
   bool json = false;
 };
 
-const char* Name(Laser laser) { return laser == Laser::kVertical ? "vertical" : "horizontal"; }
+std::string Name(Laser laser) { return std::string(ToString(laser)); }
 
 Result<BoardSeries> OpenBoard(const LutArguments& arguments, Laser laser) {
   if (!arguments.frames_dir.empty()) {
@@ -39,14 +33,7 @@ Result<BoardSeries> OpenBoard(const LutArguments& arguments, Laser laser) {
                                                           : rangefinder::LaserColor::kMono;
     return RecordedBoard(arguments.frames_dir, laser, color);
   }
-  Result<config::YamlDocument> robot = config::LoadRobotFile(arguments.robot_file, {"rig"});
-  if (!robot.ok()) return robot.status();
-  const geometry::SensorRig rig = config::ReadDrawnRig(robot->root().Child("rig"));
-  const Status status = robot->Finish();
-  if (!status.ok()) return status;
-  const Result<sim::SimOptions> options = sim::LoadSimOptions(arguments.sim_file);
-  if (!options.ok()) return options.status();
-  return SimulatedBoard(rig, options->renderer, arguments.seed, laser, arguments.steps);
+  return OpenSimulatedBoard(arguments.simulated, laser);
 }
 
 Result<rangefinder::Calibration> Calibrate(const LutArguments& arguments, Laser laser) {
@@ -110,10 +97,10 @@ int CalibrateLut(const LutArguments& arguments) {
   for (const Laser laser : {Laser::kHorizontal, Laser::kVertical}) {
     const Result<rangefinder::Calibration> calibration = Calibrate(arguments, laser);
     if (!calibration.ok()) {
-      return fail(std::string(Name(laser)) + " laser: " + calibration.message());
+      return fail(Name(laser) + " laser: " + calibration.message());
     }
     const std::filesystem::path file =
-        std::filesystem::path(arguments.output) / (std::string(Name(laser)) + ".lut");
+        std::filesystem::path(arguments.output) / (Name(laser) + ".lut");
     const Status written =
         config::WriteFileAtomically(file, rangefinder::SerializeLookUpTable(calibration->table));
     if (!written.ok()) return fail(written.message());
@@ -126,8 +113,6 @@ int CalibrateLut(const LutArguments& arguments) {
 
 void AddCalibrateLutCommand(CLI::App* calibrate, int* exit_code) {
   auto arguments = std::make_shared<LutArguments>();
-  arguments->robot_file = config::InstalledFile("scripts/config/robot.yaml").string();
-  arguments->sim_file = config::InstalledFile("scripts/config/sim.yaml").string();
   CLI::App* command =
       calibrate->add_subcommand("lut",
                                 "Builds the range finder's look-up tables (thesis 3.2) from a flat "
@@ -144,23 +129,10 @@ void AddCalibrateLutCommand(CLI::App* calibrate, int* exit_code) {
       ->check(CLI::IsMember({"red", "green", "mono"}))
       ->needs(frames)
       ->capture_default_str();
-  const auto simulated = [&](CLI::Option* option) {
-    option->excludes(frames)->capture_default_str();
-  };
-  simulated(command->add_option("--config", arguments->robot_file, "Robot file, for the rig"));
-  simulated(
-      command->add_option("--sim-config", arguments->sim_file, "What the simulated robot is like"));
-  simulated(command->add_option("--seed", arguments->seed,
-                                "Of the frames' noise; which robot it is, sim.yaml says"));
-  simulated(command->add_option("--from-m", arguments->steps.from_m, "Nearest board")
-                ->check(CLI::Range(0.1, 10.0)));
-  simulated(command->add_option("--to-m", arguments->steps.to_m, "Farthest board")
-                ->check(CLI::Range(0.1, 10.0)));
-  simulated(command->add_option("--step-m", arguments->steps.step_m, "Between boards")
-                ->check(CLI::Range(0.0001, 1.0)));
-  simulated(
-      command->add_option("--frames-per-step", arguments->steps.frames, "Averaged at each distance")
-          ->check(CLI::Range(1, 1000)));
+  command->add_option("--config", arguments->simulated.robot_file, "Robot file, for the rig")
+      ->excludes(frames)
+      ->capture_default_str();
+  AddSimulatedBoardArguments(*command, frames, &arguments->simulated);
   command->add_option("--date", arguments->date, "Written into the tables; default: today");
   command->add_flag("--json", arguments->json, "The report as JSON, one line a laser");
   command->callback([arguments, exit_code] {

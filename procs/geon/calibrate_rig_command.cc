@@ -41,14 +41,6 @@ calibration::Chessboard BoardOf(const RigArguments& arguments) {
   return {arguments.squares[0] - 1, arguments.squares[1] - 1, 1e-3 * arguments.square_mm};
 }
 
-Result<geometry::SensorRig> LoadDrawing(const std::string& robot_file) {
-  Result<config::YamlDocument> robot = config::LoadRobotFile(robot_file, {"rig"});
-  if (!robot.ok()) return robot.status();
-  const geometry::SensorRig rig = config::ReadDrawnRig(robot->root().Child("rig"));
-  if (const Status status = robot->Finish(); !status.ok()) return status;
-  return rig;
-}
-
 Result<RigSeries> OpenSeries(const RigArguments& arguments, const geometry::SensorRig& drawn) {
   if (!arguments.frames_dir.empty()) return RecordedRig(arguments.frames_dir);
   const Result<sim::SimOptions> options = sim::LoadSimOptions(arguments.sim_file);

@@ -20,6 +20,9 @@ struct BenchCase {
   const BenchObject* object;
   double range_m;
   int pose;
+  const BenchObject::Position& shown() const {
+    return object->positions[static_cast<size_t>(pose) % object->positions.size()];
+  }
 };
 
 std::vector<BenchCase> Cases(const std::vector<BenchObject>& objects, const BenchPlan& plan,
@@ -56,55 +59,51 @@ std::string PictureUri(const lockstep::BenchOutcome& outcome) {
   return DataUri("image/jpeg", jpeg);
 }
 
-struct CaseResult {
-  BenchTrialRecord trial;
-  WorstView view;
-};
-
 std::optional<double> Since(const std::optional<double>& begin_s, double end_s) {
   if (!begin_s) return std::nullopt;
   return end_s - *begin_s;
 }
 
-Result<CaseResult> RunCase(const lockstep::LockstepSettings& settings,
-                           const recognizer::StripeCalibration& calibration, const BenchCase& each,
-                           const BenchPlan& plan) {
+lockstep::BenchTrial TrialOf(const BenchCase& each, const BenchPlan& plan) {
   std::mt19937_64 random = evaluation::TrialRandom(plan.seed, static_cast<uint64_t>(each.t));
-  const auto& positions = each.object->positions;
-  const auto& [position, shape] = positions[static_cast<size_t>(each.pose) % positions.size()];
-  lockstep::BenchTrial bench;
-  bench.shape = shape;
-  bench.range_m = each.range_m;
-  bench.yaw_rad = 2.0 * kPi * (each.pose + evaluation::Uniform(random, 0.0, 1.0)) / plan.poses;
-  bench.seed = random();
-  Result<lockstep::BenchOutcome> outcome = lockstep::RunBenchTrial(settings, calibration, bench);
-  if (!outcome.ok()) return outcome.status();
+  lockstep::BenchTrial trial;
+  trial.shape = each.shown().second;
+  trial.range_m = each.range_m;
+  trial.yaw_rad = 2.0 * kPi * (each.pose + evaluation::Uniform(random, 0.0, 1.0)) / plan.poses;
+  trial.seed = random();
+  return trial;
+}
 
-  CaseResult result;
-  BenchTrialRecord& trial = result.trial;
+BenchTrialRecord RecordOf(const BenchCase& each, const lockstep::BenchTrial& bench,
+                          const lockstep::BenchOutcome& outcome) {
+  BenchTrialRecord trial;
   trial.t = each.t;
-  trial.subject = {each.object->truth, each.object->name, position};
+  trial.subject = {each.object->truth, each.object->name, each.shown().first};
   trial.range_m = each.range_m;
   trial.yaw_deg = DegreesFromRadians(bench.yaw_rad);
-  trial.end = outcome->end;
-  trial.from_sight_s = Since(outcome->seen_s, outcome->end_s);
-  trial.from_view_s = Since(outcome->whole_s, outcome->end_s);
-  trial.misplaced_1 = outcome->misplaced_1;
-  result.view.t = each.t;
-  if (outcome->verdict) {
-    trial.answer = outcome->verdict->label;
-    trial.confidence = outcome->verdict->confidence;
-    trial.decided = outcome->verdict->decided;
-    result.view.posterior = outcome->verdict->posterior;
-    result.view.reasons = outcome->verdict->reasons;
+  trial.end = outcome.end;
+  trial.from_sight_s = Since(outcome.seen_s, outcome.end_s);
+  trial.from_view_s = Since(outcome.whole_s, outcome.end_s);
+  trial.misplaced_1 = outcome.misplaced_1;
+  if (outcome.verdict) {
+    trial.answer = outcome.verdict->label;
+    trial.confidence = outcome.verdict->confidence;
+    trial.decided = outcome.verdict->decided;
   }
-  result.view.right = trial.right();
-  result.view.confidence_1 = trial.confidence;
-  if (!trial.right() || trial.confidence < 0.9) {
-    result.view.stripes = DrawStripes(outcome->scan);
-    result.view.picture_uri = PictureUri(*outcome);
+  return trial;
+}
+
+// Without stripes and picture, which only the worst are worth.
+WorstView ViewOf(const BenchTrialRecord& trial, const lockstep::BenchOutcome& outcome) {
+  WorstView view;
+  view.t = trial.t;
+  view.right = trial.right();
+  view.confidence_1 = trial.confidence;
+  if (outcome.verdict) {
+    view.posterior = outcome.verdict->posterior;
+    view.reasons = outcome.verdict->reasons;
   }
-  return result;
+  return view;
 }
 
 }  // namespace
@@ -138,25 +137,35 @@ Result<std::vector<BenchObject>> LoadBenchMeshes(const std::filesystem::path& di
 }
 
 Result<BenchRun> RunBench(const lockstep::LockstepSettings& settings,
-                          const recognizer::StripeCalibration& calibration,
+                          const std::optional<recognizer::StripeCalibration>& calibration,
                           const std::vector<BenchObject>& objects, const BenchPlan& plan,
                           Shard shard, int jobs, const std::function<void(double)>& progress) {
   const std::vector<BenchCase> cases = Cases(objects, plan, shard);
-  std::vector<std::optional<Result<CaseResult>>> results(cases.size());
-  std::mutex mutex;
+  BenchRun run;
+  run.trials.resize(cases.size());
+  Status failed = Status::Ok();
+  std::mutex mutex;  // over all of these
   size_t done = 0;
   ParallelFor(jobs, static_cast<int>(cases.size()), [&](int k) {
-    const auto at = static_cast<size_t>(k);
-    results[at] = RunCase(settings, calibration, cases[at], plan);
+    const BenchCase& each = cases[static_cast<size_t>(k)];
+    const lockstep::BenchTrial bench = TrialOf(each, plan);
+    const Result<lockstep::BenchOutcome> outcome =
+        lockstep::RunBenchTrial(settings, calibration, bench);
     const std::lock_guard lock(mutex);
     progress(static_cast<double>(++done) / static_cast<double>(cases.size()));
+    if (!outcome.ok()) {
+      failed = outcome.status();
+      return;
+    }
+    BenchTrialRecord& trial = run.trials[static_cast<size_t>(k)];
+    trial = RecordOf(each, bench, *outcome);
+    WorstView view = ViewOf(trial, *outcome);
+    if (!IsAmongWorst(view, run.worst)) return;
+    view.stripes = DrawStripes(outcome->scan);
+    view.picture_uri = PictureUri(*outcome);
+    AddWorstView(std::move(view), &run.worst);
   });
-  BenchRun run;
-  for (std::optional<Result<CaseResult>>& result : results) {
-    if (!result->ok()) return result->status();
-    run.trials.push_back((*result)->trial);
-    AddWorstView(std::move((*result)->view), &run.worst);
-  }
+  if (!failed.ok()) return failed;
   return run;
 }
 

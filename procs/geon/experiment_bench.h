@@ -15,7 +15,8 @@ struct BenchObject {
   GeonLabel truth;
   std::string name;
   // What to show, and how its position is called; one of each.
-  std::vector<std::pair<int, decltype(lockstep::BenchTrial::shape)>> positions;
+  using Position = std::pair<int, decltype(lockstep::BenchTrial::shape)>;
+  std::vector<Position> positions;
 };
 
 // The 28 objects of thesis section 6.1.
@@ -39,7 +40,7 @@ struct BenchRun {
 // Runs every trial of a shard, `jobs` at a time; `progress` is told the share that is done, from
 // any thread. Errors: a mesh that cannot be used.
 Result<BenchRun> RunBench(const lockstep::LockstepSettings& settings,
-                          const recognizer::StripeCalibration& calibration,
+                          const std::optional<recognizer::StripeCalibration>& calibration,
                           const std::vector<BenchObject>& objects, const BenchPlan& plan,
                           Shard shard, int jobs, const std::function<void(double)>& progress);
 

@@ -37,8 +37,8 @@ int RunBenchCommand(const BenchArguments& arguments) {
   auto& recognition = settings->recognizer.assembler.recognition;
   recognition = ToOptions(arguments.recognition, recognition);
   if (!arguments.calibration.empty()) settings->recognizer.calibration_dir = arguments.calibration;
-  const Result<recognizer::StripeCalibration> calibration =
-      recognizer::LoadStripeCalibration(settings->recognizer.calibration_dir, settings->rig);
+  const Result<std::optional<recognizer::StripeCalibration>> calibration =
+      recognizer::LoadCalibration(settings->recognizer);
   if (!calibration.ok()) return FailBench(calibration.status());
   Result<std::vector<BenchObject>> objects = ThesisBenchObjects();
   if (!arguments.meshes.empty()) objects = LoadBenchMeshes(arguments.meshes, kBenchMesh_m);
@@ -48,10 +48,11 @@ int RunBenchCommand(const BenchArguments& arguments) {
   record.method = recognition::ToString(recognition.method);
   record.seed = arguments.plan.seed;
   record.git = config::BuildVersion();
-  record.conditions = {{"ranges_m", arguments.plan.ranges_m},
-                       {"poses", arguments.plan.poses},
-                       {"meshes", arguments.meshes.filename().string()},
-                       {"calibration", calibration->hash}};
+  record.conditions = {
+      {"ranges_m", arguments.plan.ranges_m},
+      {"poses", arguments.plan.poses},
+      {"meshes", arguments.meshes.filename().string()},
+      {"calibration", *calibration ? (*calibration)->hash : settings->recognizer.rig_source}};
   const auto begin = std::chrono::steady_clock::now();
   Progress progress("geon experiment bench");
   Result<BenchRun> run =

@@ -7,8 +7,10 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "base/median.h"
 #include "base/plain_name.h"
 #include "procs/geon/experiment_rates.h"
+#include "procs/geon/svg.h"
 
 namespace geon::cli {
 namespace {
@@ -20,13 +22,6 @@ constexpr size_t kMostWorstPictures = 12;
 
 auto Badness(const WorstPicture& picture) {
   return std::tuple(picture.score.found, picture.score.iou_1, picture.t);
-}
-
-double Median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 ColorRow RowOf(const std::string& name, const ColorRecord& record,
@@ -144,12 +139,6 @@ void PrintTable(const ColorRecord& record, const std::string& title,
       *out << "\n";
     }
   }
-}
-
-std::string Decimals(double value, int decimals) {
-  std::ostringstream out;
-  out << std::fixed << std::setprecision(decimals) << value;
-  return out.str();
 }
 
 }  // namespace
@@ -271,15 +260,14 @@ std::string ColorTables(const ColorRecord& record) {
   PrintTable(
       record, "target found, % (of n)",
       [](const ColorRow& row, size_t method) {
-        return Decimals(100.0 * row.found[method].value_1(), 1) + " (" +
+        return Fixed(100.0 * row.found[method].value_1(), 1) + " (" +
                std::to_string(row.found[method].n) + ")";
       },
       &out);
   out << "\n";
   PrintTable(
       record, "median overlap (IoU) with the true mask",
-      [](const ColorRow& row, size_t method) { return Decimals(row.median_iou_1[method], 3); },
-      &out);
+      [](const ColorRow& row, size_t method) { return Fixed(row.median_iou_1[method], 3); }, &out);
   return out.str();
 }
 

@@ -61,7 +61,7 @@ Projection ProfileProjection(sensor::Laser laser) {
 }
 
 void DrawPieces(const std::vector<Points>& pieces, sensor::Laser laser, Plot* plot) {
-  const std::string name = laser == sensor::Laser::kVertical ? "vertical" : "horizontal";
+  const std::string name(ToString(laser));
   for (const Points& piece : pieces) {
     if (piece.size() == 1) plot->Dots(piece, 1.1, "spot " + name);
     plot->Polyline(piece, "stripe " + name);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/angles.h"
+#include "base/median.h"
 #include "calibration/fit_floor.h"
 #include "messaging/channels.h"
 #include "messaging/codec.h"
@@ -16,13 +17,6 @@ namespace {
 
 using sensor::Laser;
 using State = SetupCheck::State;
-
-double MedianOf(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::string Millimetres(double length_m) { return Fixed(1000.0 * length_m, 1) + " mm"; }
 
@@ -45,8 +39,8 @@ FloorAgreement MeasureFloor(const std::vector<sensor::RangeProfile>& profiles,
   floor.scans = static_cast<int>(scans.size());
   floor.horizontal_points = static_cast<int>(heights_m[0].size());
   floor.vertical_points = static_cast<int>(heights_m[1].size());
-  floor.horizontal_m = MedianOf(heights_m[0]);
-  floor.vertical_m = MedianOf(heights_m[1]);
+  floor.horizontal_m = Median(heights_m[0]);
+  floor.vertical_m = Median(heights_m[1]);
   // As if L were where the head stands: only how the plane leans is asked for.
   const auto fit = calibration::FitFloorPoints(points_L_m, geometry::SensorRig());
   if (fit.ok()) {

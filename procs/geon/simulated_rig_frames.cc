@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/angles.h"
+#include "procs/lockstep/frame_image.h"
 #include "sim/rig_renderer.h"
 #include "sim/world.h"
 #include "sim/world_scene.h"
@@ -124,16 +125,6 @@ std::vector<Aim> PlanSweep(const SensorRig& drawn, const sim::SimOptions& option
   return aims;
 }
 
-sensor::Image ImageOf(sim::Frame frame) {
-  sensor::Image image;
-  image.width_px = frame.width_px;
-  image.height_px = frame.height_px;
-  image.row_stride_bytes = frame.width_px * frame.channels;
-  image.format = frame.channels == 3 ? sensor::PixelFormat::kBgr8 : sensor::PixelFormat::kGray8;
-  image.data = std::move(frame.pixels);
-  return image;
-}
-
 }  // namespace
 
 Status RigSweepOptions::Validate() const {
@@ -171,17 +162,17 @@ RigSeries SimulatedRig(const SensorRig& drawn, const sim::SimOptions& options,
       sim::LaserFractions burning;
       burning.horizontal_1 = light == Light::kHorizontal ? 1.0 : 0.0;
       burning.vertical_1 = light == Light::kVertical ? 1.0 : 0.0;
-      shot.frames.push_back({Camera::kStripe, light, exposure_s,
-                             ImageOf(renderer->HeadBw(pose, burning, ++seq, exposure_s / short_s)),
-                             ""});
+      shot.frames.push_back(
+          {Camera::kStripe, light, exposure_s,
+           lockstep::ImageOf(renderer->HeadBw(pose, burning, ++seq, exposure_s / short_s)), ""});
     };
     stripe_frame(Light::kNone, short_s);
     stripe_frame(Light::kHorizontal, short_s);
     if (aim.stop == RigShot::kFloor) return shot;
     stripe_frame(Light::kVertical, short_s);
     stripe_frame(Light::kNone, long_s);
-    shot.frames.push_back(
-        {Camera::kColor, Light::kNone, color_s, ImageOf(renderer->HeadColor(pose, ++seq)), ""});
+    shot.frames.push_back({Camera::kColor, Light::kNone, color_s,
+                           lockstep::ImageOf(renderer->HeadColor(pose, ++seq)), ""});
     return shot;
   };
   return series;

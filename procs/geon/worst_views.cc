@@ -14,8 +14,6 @@ constexpr size_t kMostPoints = 90;  // of a drawn stripe
 constexpr int kGap_px = 3;          // so many pixels without a point break a stripe
 constexpr double kStep_m = 0.02;  // so does a step in depth, larger than between neighbours aslant
 constexpr double kTenthsOfMm_m = 1e4;  // in a metre
-constexpr const char* kVertical = "vertical";
-constexpr const char* kHorizontal = "horizontal";
 
 bool IsWorse(const WorstView& a, const WorstView& b) {
   if (a.right != b.right) return !a.right;
@@ -62,8 +60,7 @@ nlohmann::json StripeJson(const DrawnStripe& stripe) {
     }
     pieces.push_back(std::move(numbers));
   }
-  const bool vertical = stripe.laser == sensor::Laser::kVertical;
-  return {{"laser", vertical ? kVertical : kHorizontal},
+  return {{"laser", ToString(stripe.laser)},
           {"fraction", stripe.fraction_1},
           {"pieces_tenth_mm", std::move(pieces)}};
 }
@@ -71,8 +68,10 @@ nlohmann::json StripeJson(const DrawnStripe& stripe) {
 DrawnStripe ParseStripe(const nlohmann::json& value) {
   DrawnStripe stripe;
   const std::string laser = value.at("laser");
-  if (laser != kVertical && laser != kHorizontal) throw std::runtime_error("no laser " + laser);
-  stripe.laser = laser == kVertical ? sensor::Laser::kVertical : sensor::Laser::kHorizontal;
+  for (const auto known : {sensor::Laser::kHorizontal, sensor::Laser::kVertical}) {
+    if (laser == ToString(known)) stripe.laser = known;
+  }
+  if (laser != ToString(stripe.laser)) throw std::runtime_error("no laser " + laser);
   stripe.fraction_1 = value.at("fraction");
   for (const auto& numbers : value.at("pieces_tenth_mm")) {
     if (numbers.size() % 3 != 0) throw std::runtime_error("a stripe's point without x, y or z");

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/angles.h"
+#include "base/median.h"
 #include "evaluation/trial_random.h"
 #include "procs/lockstep/lockstep_robot.h"
 #include "sim/world_scene.h"
@@ -69,12 +70,6 @@ Result<Bench> SetUp(const geometry::SensorRig& rig, const BenchTrial& trial) {
   return bench;
 }
 
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Where a profile lies in the box: its points in the colour camera as it stood when the box was
 // seen. Nothing without points above the desk in the middle third of the box.
 std::optional<double> FractionLaid(const sensor::RangeProfile& profile,
@@ -114,7 +109,7 @@ std::vector<double> Misplaced(const geometry::SensorRig& rig, const sensor::Scan
 }  // namespace
 
 Result<BenchOutcome> RunBenchTrial(const LockstepSettings& settings,
-                                   const recognizer::StripeCalibration& calibration,
+                                   const std::optional<recognizer::StripeCalibration>& calibration,
                                    const BenchTrial& trial) {
   Result<Bench> bench = SetUp(settings.rig, trial);
   if (!bench.ok()) return bench.status();

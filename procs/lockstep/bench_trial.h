@@ -40,9 +40,10 @@ struct BenchOutcome {
 
 // The bench of thesis section 6.2: the robot stands still before a desk 70 cm high, a geon is on
 // the desk; it is looked for with the head, centred, scanned and named, by all daemons in lock-step
-// with the simulated devices. Errors: a mesh that cannot be used.
+// with the simulated devices. Without a calibration, distances come from the rig. Errors: a mesh
+// that cannot be used.
 Result<BenchOutcome> RunBenchTrial(const LockstepSettings& settings,
-                                   const recognizer::StripeCalibration& calibration,
+                                   const std::optional<recognizer::StripeCalibration>& calibration,
                                    const BenchTrial& trial);
 
 }  // namespace geon::lockstep

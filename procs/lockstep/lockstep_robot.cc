@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/time.h"
+#include "procs/lockstep/frame_image.h"
 #include "procs/ptu/ptu_node.h"
 
 namespace geon::lockstep {
@@ -19,23 +20,19 @@ constexpr int64_t kPlannerTurns = 10;     // 20 Hz
 constexpr int64_t kLaserStateTurns = 20;  // 10 Hz
 constexpr int64_t kUnreadyTurns = 20;     // 10 Hz
 
-sensor::Image ImageOf(sim::Frame frame, const sim::Exposure& exposure) {
-  sensor::Image image;
+sensor::Image Taken(const sim::Exposure& exposure, sim::RigRenderer* renderer) {
+  sensor::Image image = ImageOf(sim::Develop(exposure, renderer));
   image.seq = static_cast<int32_t>(exposure.seq);
   image.utime = kStart_utime + MicrosecondsFromSeconds(exposure.start_s);
-  image.width_px = frame.width_px;
-  image.height_px = frame.height_px;
-  image.row_stride_bytes = frame.width_px * frame.channels;
-  image.format = frame.channels == 1 ? sensor::PixelFormat::kGray8 : sensor::PixelFormat::kBgr8;
-  image.data = std::move(frame.pixels);
   return image;
 }
 
 }  // namespace
 
 Result<std::unique_ptr<LockstepRobot>> LockstepRobot::Create(
-    const LockstepSettings& settings, const recognizer::StripeCalibration& calibration,
-    const sim::World& world, uint64_t seed) {
+    const LockstepSettings& settings,
+    const std::optional<recognizer::StripeCalibration>& calibration, const sim::World& world,
+    uint64_t seed) {
   auto simulated = sim::SimulatedRobot::Create(world, settings.drawn_rig, settings.sim, seed);
   if (!simulated.ok()) return simulated.status();
   return std::unique_ptr<LockstepRobot>(
@@ -43,7 +40,7 @@ Result<std::unique_ptr<LockstepRobot>> LockstepRobot::Create(
 }
 
 LockstepRobot::LockstepRobot(const LockstepSettings& settings,
-                             const recognizer::StripeCalibration& calibration,
+                             const std::optional<recognizer::StripeCalibration>& calibration,
                              std::unique_ptr<sim::SimulatedRobot> simulated)
     : settings_(settings),
       simulated_(std::move(simulated)),
@@ -148,20 +145,17 @@ void LockstepRobot::Deliver(const sim::Exposure& exposure) {
   switch (exposure.camera) {
     case sim::CameraId::kHeadBw:
       if (capture_.WantsFrame(exposure.start_s, time_s_)) {
-        capture_.OnFrame(ImageOf(sim::Develop(exposure, &renderer_), exposure), exposure.start_s,
-                         time_s_);
+        capture_.OnFrame(Taken(exposure, &renderer_), exposure.start_s, time_s_);
       }
       return;
     case sim::CameraId::kHeadColor:
       if (!scanning) {
-        mission_->senses()->TakeHeadImage(time_s_,
-                                          ImageOf(sim::Develop(exposure, &renderer_), exposure));
+        mission_->senses()->TakeHeadImage(time_s_, Taken(exposure, &renderer_));
       }
       return;
     case sim::CameraId::kFloorColor:
       if (!scanning) {
-        mission_->senses()->TakeFloorImage(time_s_,
-                                           ImageOf(sim::Develop(exposure, &renderer_), exposure));
+        mission_->senses()->TakeFloorImage(time_s_, Taken(exposure, &renderer_));
       }
       return;
   }

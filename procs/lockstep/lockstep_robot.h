@@ -30,10 +30,11 @@ class LockstepRobot {
  public:
   static constexpr double kTurn_s = 0.005;
 
-  // Errors: a mesh of the world cannot be used.
+  // Without a calibration, distances come from the rig. Errors: a mesh of the world cannot be used.
   static Result<std::unique_ptr<LockstepRobot>> Create(
-      const LockstepSettings& settings, const recognizer::StripeCalibration& calibration,
-      const sim::World& world, uint64_t seed);
+      const LockstepSettings& settings,
+      const std::optional<recognizer::StripeCalibration>& calibration, const sim::World& world,
+      uint64_t seed);
 
   // Every daemon has one turn; kTurn_s go by.
   void Turn();
@@ -48,7 +49,8 @@ class LockstepRobot {
   sim::RobotTruth truth() const { return simulated_->truth(); }
 
  private:
-  LockstepRobot(const LockstepSettings& settings, const recognizer::StripeCalibration& calibration,
+  LockstepRobot(const LockstepSettings& settings,
+                const std::optional<recognizer::StripeCalibration>& calibration,
                 std::unique_ptr<sim::SimulatedRobot> simulated);
 
   std::string Hear(sim::DeviceId device);

@@ -14,7 +14,8 @@ Result<LockstepSettings> LoadLockstepSettings(const std::filesystem::path& robot
   config::YamlSection root = document->root();
   LockstepSettings settings;
   settings.drawn_rig = config::ReadDrawnRig(root.Child("rig"));
-  settings.rig = config::ReadRobotRig(root.Child("rig"), robot_file).rig;
+  const config::RobotRig rig = config::ReadRobotRig(root.Child("rig"), robot_file);
+  settings.rig = rig.rig;
   ptu::ReadPtuSection(root.Child("ptu"), &settings.ptu);
   base::ReadBaseSection(root.Child("base"), &settings.base);
   stripe_camera::ReadStripeCameraSection(root.Child("stripe_camera"), settings.rig,
@@ -22,7 +23,8 @@ Result<LockstepSettings> LoadLockstepSettings(const std::filesystem::path& robot
   planner::ReadPlannerSection(root.Child("planner"), robot_file, &settings.mission);
   recognizer::ReadRecognizerSection(root.Child("recognizer"), &settings.recognizer);
   if (Status status = document->Finish(); !status.ok()) return status;
-  settings.recognizer.rig = settings.rig;
+  settings.recognizer.rig = rig.rig;
+  settings.recognizer.rig_source = rig.source;
   settings.recognizer.calibration_dir =
       robot_file.parent_path() / settings.recognizer.calibration_dir;
 

@@ -5,6 +5,7 @@
 #include "base/angles.h"
 #include "base/contracts.h"
 #include "base/geon_label.h"
+#include "base/median.h"
 #include "base/plain_name.h"
 #include "base/status.h"
 #include "base/time.h"
@@ -52,6 +53,12 @@ TEST(TimeTest, RoundsToTheNearestMicrosecond) {
   EXPECT_EQ(MicrosecondsFromSeconds(0.3), 300000);
   EXPECT_EQ(MicrosecondsFromSeconds(-0.0000016), -2);
   EXPECT_DOUBLE_EQ(SecondsFromMicroseconds(1500000), 1.5);
+}
+
+TEST(MedianTest, IsTheMiddleOneOrTheUpperOfTwo) {
+  EXPECT_EQ(Median({5.0, -1.0, 3.0}), 3.0);
+  EXPECT_EQ(Median({4.0, 1.0, 2.0, 3.0}), 3.0);
+  EXPECT_EQ(Median({}), 0.0);
 }
 
 TEST(GeonLabelTest, NamesGoThereAndBack) {

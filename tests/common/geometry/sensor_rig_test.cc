@@ -69,6 +69,20 @@ TEST(PinholeCameraTest, LensDistortionMovesTheCornersAndIsUndone) {
   EXPECT_LT((camera.Ray(seen_px.x(), seen_px.y()) - corner).norm(), 1e-12);
 }
 
+TEST(SensorRigTest, ARayMeetsTheFanWhereThePlaneIs) {
+  SensorRig rig = PitchedRig();
+  LaserMount fan;  // 10 cm to the left, looking inwards: meets the axis 1 m ahead
+  fan.p_TLaser_m = {0.05, 0.1, 0.0};
+  fan.normal_T = Eigen::Vector3d(0.1, 1.0, 0.0).normalized();
+  EXPECT_NEAR(rig.DistanceToFan(fan, {0.0, 0.0, 1.0}), 1.0, 1e-12);
+  // A ray 0.1 to the left of it: 0.1 z = 0.1 - 0.1 z.
+  const double left_m = rig.DistanceToFan(fan, {-0.1, 0.3, 1.0});
+  EXPECT_NEAR(left_m, 0.5, 1e-12);
+  const Eigen::Vector3d p_T_m = rig.X_TB * (left_m * Eigen::Vector3d(-0.1, 0.3, 1.0));
+  EXPECT_NEAR(fan.normal_T.dot(p_T_m - fan.p_TLaser_m), 0.0, 1e-12);
+  EXPECT_LT(rig.DistanceToFan(fan, {0.3, 0.0, 1.0}), 0.0);
+}
+
 TEST(SensorRigTest, TheHeadTurnsAboutTheTiltAxisThatTheUnitHas) {
   SensorRig rig;
   rig.ptu_axes = {0.01, -0.02, Eigen::Vector3d(0.003, 0.0, 0.002)};
