@@ -222,7 +222,7 @@ ScanLabels LabelPoints(const sensor::ScanSet& scan, const std::optional<Vertical
   const std::optional<Extent> rows = FindRows(parts, camera);
   const std::optional<Extent> columns = FindColumns(scan, region, options.margin_px);
   const std::vector<StripeBlock> blocks = FindStripeBlocks(scan, region, parts, rows);
-  labels.support = FitSupportPlane(blocks);
+  labels.support = FitSupportPlane(blocks, rows ? FindFoot(parts, camera, *rows) : std::nullopt);
   if (labels.support) {
     labels.wall = FindWallPlane(blocks, *labels.support, scan.camera_position_L_m);
   }

@@ -65,6 +65,7 @@ std::vector<StripeBlock> FindStripeBlocks(const sensor::ScanSet& scan,
       if (i - begin >= static_cast<size_t>(kFewestInBlock)) {
         StripeBlock& block = blocks.emplace_back(MakeBlock(profile.p_L_m, begin, i));
         block.noise_m = noise_m;
+        block.stripe = k;
         block.place = PlaceOf(at_target.InCamera(block.p_L_m), profile.laser, region, rows);
       }
       begin = i;

@@ -25,6 +25,7 @@ struct StripeBlock {
   double noise_m = 0.0;     // of one point, along its ray
   int points = 0;
   BlockPlace place = BlockPlace::kOnTarget;
+  size_t stripe = 0;  // which of the scan's profiles
 };
 
 // The blocks of all profiles of a scan, in the order of the pixels. `parts`: as from

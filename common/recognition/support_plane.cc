@@ -17,6 +17,8 @@ namespace {
 constexpr int kFewestOnSupport = 40;
 constexpr double kTiltPrior_rad = RadiansFromDegrees(2.0);
 constexpr double kOffsetPrior_m = 0.01;
+constexpr double kFoot_m = 0.03;       // sigma of the target's foot above its support
+constexpr double kNear_m = 1.0;        // of the foot: beyond may be another plane
 constexpr double kGateSigmas = 2.5;    // of the prior: what may lie on the support
 constexpr double kSteepest_1 = 0.3;    // of a block's direction: steeper is no support
 constexpr size_t kEnoughBeside = 12;   // blocks beside the target
@@ -44,10 +46,12 @@ struct Sample {
   bool beside = false;
 };
 
-std::vector<Sample> SamplesNearSupport(std::span<const StripeBlock> blocks) {
+std::vector<Sample> SamplesNearSupport(std::span<const StripeBlock> blocks,
+                                       const std::optional<Eigen::Vector3d>& foot_L_m) {
   std::vector<Sample> samples;
   for (const StripeBlock& block : blocks) {
     if (block.place == BlockPlace::kOnTarget) continue;
+    if (foot_L_m && (block.p_L_m - *foot_L_m).norm() > kNear_m) continue;
     const double gate_m =
         kGateSigmas * std::hypot(kOffsetPrior_m, kTiltPrior_rad * block.p_L_m.head<2>().norm());
     if (std::abs(block.p_L_m.z()) > gate_m || std::abs(block.along_L.z()) > kSteepest_1) continue;
@@ -84,10 +88,13 @@ class PlaneFit {
   Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
 };
 
-// How well a plane agrees with the samples and the prior: the samples on it less those below.
-double Score(const Coefficients& plane, std::span<const Sample> samples) {
+// How well a plane agrees with the samples, the prior and the target's foot: the samples on it less
+// those below.
+double Score(const Coefficients& plane, std::span<const Sample> samples,
+             const std::optional<Eigen::Vector3d>& foot_L_m) {
   static const Eigen::Matrix3d prior = PriorInformation();
   double score = -0.5 * plane.dot(prior * plane);
+  if (foot_L_m) score -= 0.5 * std::pow(HeightAbove(plane, *foot_L_m) / kFoot_m, 2);
   for (const Sample& sample : samples) {
     const double share = HeightAbove(plane, sample.p_m) / (kOnSigmas * sample.sigma_m);
     if (share > 1.0) continue;
@@ -96,15 +103,16 @@ double Score(const Coefficients& plane, std::span<const Sample> samples) {
   return score;
 }
 
-Coefficients BestPlane(std::span<const Sample> samples) {
+Coefficients BestPlane(std::span<const Sample> samples,
+                       const std::optional<Eigen::Vector3d>& foot_L_m) {
   std::minstd_rand random(1);  // always the same samples
   Coefficients best = Coefficients::Zero();
-  double best_score = Score(best, samples);
+  double best_score = Score(best, samples, foot_L_m);
   for (int k = 0; k < kSamples; ++k) {
     PlaneFit fit;
     for (int i = 0; i < 3; ++i) fit.Add(samples[random() % samples.size()], 1.0);
     const Coefficients plane = fit.Solve();
-    const double score = Score(plane, samples);
+    const double score = Score(plane, samples, foot_L_m);
     if (score <= best_score) continue;
     best_score = score;
     best = plane;
@@ -127,15 +135,16 @@ Coefficients Refine(Coefficients plane, std::span<const Sample> samples) {
 
 }  // namespace
 
-std::optional<SupportPlane> FitSupportPlane(std::span<const StripeBlock> blocks) {
-  const std::vector<Sample> samples = SamplesNearSupport(blocks);
+std::optional<SupportPlane> FitSupportPlane(std::span<const StripeBlock> blocks,
+                                            const std::optional<Eigen::Vector3d>& foot_L_m) {
+  const std::vector<Sample> samples = SamplesNearSupport(blocks, foot_L_m);
   if (samples.empty()) return std::nullopt;
   std::vector<Sample> beside;
   for (const Sample& sample : samples) {
     if (sample.beside) beside.push_back(sample);
   }
   const Coefficients plane =
-      Refine(BestPlane(beside.size() >= kEnoughBeside ? beside : samples), samples);
+      Refine(BestPlane(beside.size() >= kEnoughBeside ? beside : samples, foot_L_m), samples);
 
   SupportPlane support;
   Eigen::Vector3d sum_m = Eigen::Vector3d::Zero();

@@ -33,7 +33,12 @@ struct SupportPlane {
 // iteratively reweighted least-squares", 1977 (Tukey's biweight). The prior: the robot leans by 2
 // degrees about the foot of its camera, where its height is known to 10 mm; sigmas. The thesis
 // (5.1) trusts z = 0. Deviation: the samples are always the same ones.
-std::optional<SupportPlane> FitSupportPlane(std::span<const StripeBlock> blocks);
+//
+// `foot_L_m`: where the target stands, within 3 cm, where that is known: what passes by it, or lies
+// more than 1 m away, may carry something else.
+std::optional<SupportPlane> FitSupportPlane(
+    std::span<const StripeBlock> blocks,
+    const std::optional<Eigen::Vector3d>& foot_L_m = std::nullopt);
 
 // Takes points of frame L into frame S, level on the support: z = 0 on it, the heading kept.
 geometry::RigidTransform LevelOn(const SupportPlane& plane);

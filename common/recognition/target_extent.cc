@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "recognition/median.h"
+
 namespace geon::recognition {
 
 std::optional<Extent> FindColumns(const sensor::ScanSet& scan,
@@ -30,6 +32,21 @@ std::optional<Extent> FindRows(std::span<const RegionProfile> parts, const BwCam
   if (slope <= 0.0) return std::nullopt;
   const double first_1 = (sum_t - slope * sum_f) / n;
   return Extent{first_1, first_1 + slope};
+}
+
+std::optional<Eigen::Vector3d> FindFoot(std::span<const RegionProfile> parts,
+                                        const BwCamera& camera, const Extent& rows) {
+  std::vector<double> columns_1, depths_m;
+  for (const RegionProfile& part : parts) {
+    if (part.laser != sensor::Laser::kHorizontal || part.p_L_m.empty()) continue;
+    const Eigen::Vector3d middle_B_m = camera.InCamera(part.p_L_m[part.p_L_m.size() / 2]);
+    columns_1.push_back(Tangents(middle_B_m).x());
+    depths_m.push_back(middle_B_m.z());
+  }
+  if (depths_m.empty()) return std::nullopt;
+  const double depth_m = Median(std::move(depths_m));
+  const Eigen::Vector3d ray_B(Median(std::move(columns_1)), rows.last_1, 1.0);
+  return camera.p_LB_m + depth_m * (camera.R_LB * ray_B);
 }
 
 }  // namespace geon::recognition

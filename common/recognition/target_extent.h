@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <span>
 
@@ -31,5 +32,10 @@ std::optional<Extent> FindColumns(const sensor::ScanSet& scan,
 // The rows of the target box: a line through (fraction, row) of the horizontal stripes, whose
 // places in the box are known. Nothing when there are fewer than two. `camera`: at the target.
 std::optional<Extent> FindRows(std::span<const RegionProfile> parts, const BwCamera& camera);
+
+// Where the target stands, within a few centimetres: what the middle of the horizontal stripes'
+// depth shows in the lowest row of the box, frame L. Nothing without a horizontal stripe.
+std::optional<Eigen::Vector3d> FindFoot(std::span<const RegionProfile> parts,
+                                        const BwCamera& camera, const Extent& rows);
 
 }  // namespace geon::recognition

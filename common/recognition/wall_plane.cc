@@ -64,6 +64,14 @@ double Spread(std::span<const StripeBlock* const> blocks, const Eigen::Vector3d&
   return high_m - low_m;
 }
 
+// All points of one stripe lie on a plane, whatever they belong to.
+bool TooFew(std::span<const StripeBlock* const> on, size_t upright) {
+  const double fewest = std::max<double>(kFewestBlocks, kShare_1 * static_cast<double>(upright));
+  if (static_cast<double>(on.size()) < fewest) return true;
+  return std::all_of(on.begin(), on.end(),
+                     [&](const StripeBlock* block) { return block->stripe == on.front()->stripe; });
+}
+
 }  // namespace
 
 std::optional<WallPlane> FindWallPlane(std::span<const StripeBlock> blocks,
@@ -85,12 +93,10 @@ std::optional<WallPlane> FindWallPlane(std::span<const StripeBlock> blocks,
     auto on = BlocksOn(upright, upright[k]->p_L_m, across.normalized());
     if (on.size() > best.size()) best = std::move(on);
   }
-  const double fewest =
-      std::max<double>(kFewestBlocks, kShare_1 * static_cast<double>(upright.size()));
-  if (static_cast<double>(best.size()) < fewest) return std::nullopt;
+  if (TooFew(best, upright.size())) return std::nullopt;
   WallPlane wall = Fit(best, up);
   best = BlocksOn(upright, wall.p_L_m, wall.normal_L);
-  if (static_cast<double>(best.size()) < fewest) return std::nullopt;
+  if (TooFew(best, upright.size())) return std::nullopt;
   wall = Fit(best, up);
   if (Spread(best, up) < kSpread_m || Spread(best, up.cross(wall.normal_L)) < kSpread_m) {
     return std::nullopt;

@@ -57,6 +57,22 @@ TEST(FitSupportPlane, FindsASupportFarBelowWhereItIsBelievedToBe) {
   EXPECT_NEAR(plane->Above({1.0, 0.0, -0.055}), 0.0, 0.002);
 }
 
+// A level line on the wall behind, far below a support that is hardly seen.
+TEST(FitSupportPlane, IsNotMisledByALineThatPassesFarBelowTheTarget) {
+  std::vector<StripeBlock> blocks;
+  const auto add = [&](const Eigen::Vector3d& p_L_m, BlockPlace place) {
+    blocks.push_back({p_L_m, {0.0, 1.0, 0.0}, 0.001, 8, place});
+  };
+  for (int k = 0; k < 40; ++k) add({3.6, 0.05 * k - 1.0, -0.31}, BlockPlace::kBeside);
+  for (int k = 0; k < 6; ++k) add({1.8, 0.01 * k, 0.0}, BlockPlace::kAtFoot);
+  const auto misled = FitSupportPlane(blocks);
+  ASSERT_TRUE(misled.has_value());
+  EXPECT_GT(misled->Above({1.9, 0.0, 0.0}), 0.1);
+  const auto plane = FitSupportPlane(blocks, Eigen::Vector3d(1.9, 0.0, 0.02));
+  ASSERT_TRUE(plane.has_value());
+  EXPECT_NEAR(plane->Above({1.9, 0.0, 0.0}), 0.0, 0.005);
+}
+
 // A desk whose edge is just before the target: what its front shows is no support.
 TEST(FitSupportPlane, IsNotMisledByAFlatTopOrASteepFront) {
   std::vector<StripeBlock> blocks;

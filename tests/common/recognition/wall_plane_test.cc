@@ -17,11 +17,12 @@ std::vector<StripeBlock> BlocksOnAWall() {
   std::vector<StripeBlock> blocks;
   std::mt19937 random(1);
   std::normal_distribution<double> gauss(0.0, 0.001);
-  for (const double height_m : {0.05, 0.12, 0.2}) {
+  for (const size_t stripe : {0, 1, 2}) {
+    const double height_m = 0.05 + 0.07 * static_cast<double>(stripe);
     for (int k = -5; k < 5; ++k) {
       Eigen::Vector3d p_m = Eigen::Vector3d(1.5, 0.0, height_m) + 0.02 * k * along_L;
       p_m.x() += gauss(random);
-      blocks.push_back({p_m, along_L, 0.001, 8, BlockPlace::kBeside});
+      blocks.push_back({p_m, along_L, 0.001, 8, BlockPlace::kBeside, stripe});
     }
   }
   return blocks;
@@ -50,6 +51,19 @@ TEST(FindWallPlane, ASingleStripeIsNoWall) {
   std::vector<StripeBlock> blocks = BlocksOnAWall();
   for (StripeBlock& block : blocks) block.p_L_m.z() = 0.1;
   EXPECT_FALSE(FindWallPlane(blocks, kFloor, kEye_L_m).has_value());
+}
+
+// A vertical stripe over a near thing and a far one spreads both ways, on the plane of its fan.
+TEST(FindWallPlane, TheFanOfAStripeIsNoWall) {
+  std::vector<StripeBlock> blocks;
+  for (int k = 0; k < 15; ++k) {
+    const double up_m = 0.03 + 0.01 * k;
+    blocks.push_back({{1.0, 0.1, up_m}, {0.0, 0.0, 1.0}, 0.001, 8, BlockPlace::kBeside, 4});
+  }
+  blocks.push_back({{2.0, 0.2, 0.05}, {0.995, 0.0995, 0.0}, 0.001, 8, BlockPlace::kBeside, 4});
+  EXPECT_FALSE(FindWallPlane(blocks, kFloor, kEye_L_m).has_value());
+  blocks.back().stripe = 1;  // another stripe says the same
+  EXPECT_TRUE(FindWallPlane(blocks, kFloor, kEye_L_m).has_value());
 }
 
 TEST(FindWallPlane, SomethingRoundIsNoWall) {
