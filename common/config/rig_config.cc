@@ -105,7 +105,7 @@ RobotRig ReadRobotRig(YamlSection rig, const std::filesystem::path& robot_file) 
   const auto refuse = [&](const Status& status) { rig.Fail("calibrated: " + status.message()); };
   const Result<std::string> text = ReadFile(file, 1U << 20U);
   if (!text.ok()) {
-    refuse(text.status());
+    refuse(Status::Error(text.message() + "; make it by geon calibrate rig, or leave the key out"));
     return result;
   }
   const Result<geometry::CalibratedRig> calibrated =

@@ -114,7 +114,7 @@ Result<BenchOutcome> RunBenchTrial(const LockstepSettings& settings,
   Result<Bench> bench = SetUp(settings.rig, trial);
   if (!bench.ok()) return bench.status();
   LockstepSettings own = settings;
-  own.mission.looking.stop_distance_m = bench->distance_m;  // there already
+  own.mission.looking.stop_distance_m = std::clamp(bench->distance_m, 0.7, 2.0);  // there already
   auto created = LockstepRobot::Create(own, calibration, bench->world, trial.seed);
   if (!created.ok()) return created.status();
   LockstepRobot& robot = **created;

@@ -13,6 +13,7 @@ namespace geon::config {
 namespace {
 
 using geometry::CalibratedRig;
+using testing::AllOf;
 using testing::HasSubstr;
 
 geometry::SensorRig InstalledDrawing() {
@@ -121,16 +122,16 @@ TEST(CalibratedRigFile, TheRobotFileNamesTheRigToWorkWith) {
   std::filesystem::create_directories(dir);
   std::string robot =
       *ReadFile(std::filesystem::path(GEON_SOURCE_DIR) / "scripts/config/robot.yaml");
-  if (robot.find("\n  calibrated: ") == std::string::npos) {
-    robot.replace(robot.find("\nrig:\n"), 6, "\nrig:\n  calibrated: rig.yaml\n");
-  }
+  const std::string shipped = "calibration/rig.yaml";
+  robot.replace(robot.find(shipped), shipped.size(), "rig.yaml");
   ASSERT_TRUE(WriteFileAtomically(dir / "robot.yaml", robot).ok());
   const auto load = [&] {
     const Result<YamlDocument> document = LoadRobotFile(dir / "robot.yaml", {"rig"});
     const RobotRig rig = ReadRobotRig(document->root().Child("rig"), dir / "robot.yaml");
     return std::pair(rig, document->Finish());
   };
-  EXPECT_THAT(load().second.message(), HasSubstr("cannot open"));
+  EXPECT_THAT(load().second.message(),
+              AllOf(HasSubstr("cannot open"), HasSubstr("geon calibrate rig")));
   ASSERT_TRUE(WriteFileAtomically(dir / "rig.yaml", SerializeCalibratedRig(Calibrated())).ok());
   const auto [rig, status] = load();
   EXPECT_TRUE(status.ok()) << status.message();

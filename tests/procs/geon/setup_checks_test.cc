@@ -18,7 +18,9 @@ class SetupChecksTest : public testing::Test {
   void SetUp() override {
     dir_ = std::filesystem::temp_directory_path() /
            ("geon_setup_checks_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(dir_);
+    std::filesystem::create_directories(dir_ / "calibration");
+    std::filesystem::copy(config::InstalledFile("scripts/config/calibration/rig.yaml"),
+                          dir_ / "calibration");
     text_ = *config::ReadFile(config::InstalledFile("scripts/config/robot.yaml"));
   }
   void TearDown() override { std::filesystem::remove_all(dir_); }
@@ -43,9 +45,9 @@ TEST_F(SetupChecksTest, TheInstalledCalibrationIsGood) {
 }
 
 TEST_F(SetupChecksTest, MissingTablesAreBad) {
-  const auto checks = CheckCalibrations(RobotFile("\"calibration\"", "\"nowhere\""));
+  const auto checks = CheckCalibrations(RobotFile("ranging: rig", "ranging: lut"));
   EXPECT_EQ(checks.back().state, State::kBad);
-  EXPECT_THAT(checks.back().text, HasSubstr("nowhere"));
+  EXPECT_THAT(checks.back().text, HasSubstr("horizontal.lut"));
 }
 
 TEST_F(SetupChecksTest, DevicesThatAreNotThereAreNamed) {

@@ -9,11 +9,15 @@
 namespace geon::stripe_camera {
 namespace {
 
+// To be read in another folder: the calibrated rig is named in full.
 std::string InstalledFile() {
-  std::ifstream file(std::string(GEON_SOURCE_DIR) + "/scripts/config/robot.yaml");
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
+  const std::string folder = std::string(GEON_SOURCE_DIR) + "/scripts/config/";
+  std::ifstream file(folder + "robot.yaml");
+  std::stringstream stream;
+  stream << file.rdbuf();
+  std::string text = stream.str();
+  const std::string rig = "calibration/rig.yaml";
+  return text.replace(text.find(rig), rig.size(), folder + rig);
 }
 
 Result<StripeCameraConfig> Load(const std::string& text, const StripeCameraFlags& flags = {}) {
