@@ -171,6 +171,7 @@ std::string PtuDriver::AdvancePhase(double time_s) {
 std::string PtuDriver::SendNext(double time_s) {
   if (outstanding_ || queue_.empty()) return {};
   outstanding_ = true;
+  sent_s_ = time_s;
   deadline_s_ = time_s + queue_.front().timeout_s;
   return queue_.front().command;
 }
@@ -274,17 +275,40 @@ void PtuDriver::QueueTarget() {
 }
 
 void PtuDriver::QueuePoll() {
-  pan_.last_count = pan_.count;
-  tilt_.last_count = tilt_.count;
-  // A position outside the limits is not a position.
-  QueueCount("PP", pan_.min_count, pan_.max_count, &pan_.count);
-  QueueCount("TP", tilt_.min_count, tilt_.max_count, &tilt_.count);
+  QueuePosition("PP", &pan_);
+  QueuePosition("TP", &tilt_);
   // Taken with the second answer.
   queue_.back().accept = [this, accept = queue_.back().accept](const PtuLine& line) {
     if (!accept(line)) return false;
     TakeSample(now_s_);
     return true;
   };
+}
+
+// The unit reads its counter when it has the question: on a slow line that is well before its
+// answer is here. Question and answer share the time between in proportion to their bytes.
+void PtuDriver::QueuePosition(const std::string& letters, Axis* axis) {
+  axis->last_count = axis->count;
+  axis->last_read_s = axis->read_s;
+  // A position outside the limits is not a position.
+  QueueCount(letters, axis->min_count, axis->max_count, &axis->count);
+  const double asked_bytes = static_cast<double>(queue_.back().command.size());
+  queue_.back().accept = [this, axis, asked_bytes,
+                          accept = queue_.back().accept](const PtuLine& line) {
+    constexpr double kFrame_bytes = 4.0;  // star, blank, end of line
+    const double answer_bytes = static_cast<double>(line.text.size()) + kFrame_bytes;
+    axis->read_s = sent_s_ + (now_s_ - sent_s_) * asked_bytes / (asked_bytes + answer_bytes);
+    return accept(line);
+  };
+}
+
+// Where an axis that has gone on as it did is now, but not past its target.
+double PtuDriver::CountAt(const Axis& axis, double time_s) const {
+  const double between_s = axis.read_s - axis.last_read_s;
+  if (axis.count == axis.last_count || !axis.target_count || between_s <= 0.0) return axis.count;
+  const double gone = (axis.count - axis.last_count) / between_s * (time_s - axis.read_s);
+  const double left = *axis.target_count - axis.count;
+  return axis.count + std::clamp(gone, std::min(left, 0.0), std::max(left, 0.0));
 }
 
 void PtuDriver::TakeSample(double time_s) {
@@ -295,8 +319,9 @@ void PtuDriver::TakeSample(double time_s) {
     off_target |= axis->target_count && axis->count != *axis->target_count;
   }
   ++report_.samples;
-  report_.sample_time_s = time_s;
-  report_.pan_rad = pan_.count * pan_.resolution_rad;
+  // Both as of the tilt's reading; the pan's is a question older.
+  report_.sample_time_s = tilt_.read_s;
+  report_.pan_rad = CountAt(pan_, tilt_.read_s) * pan_.resolution_rad;
   report_.tilt_rad = tilt_.count * tilt_.resolution_rad;
   report_.pan_min_rad = pan_.min_count * pan_.resolution_rad;
   report_.pan_max_rad = pan_.max_count * pan_.resolution_rad;

@@ -35,7 +35,7 @@ struct PtuReport {
   std::string version;  // as the unit says it
   // Angles mean something only when ready.
   int samples = 0;             // complete (pan, tilt) readings since start
-  double sample_time_s = 0.0;  // of the newest
+  double sample_time_s = 0.0;  // of the newest: when the unit read its counters
   double pan_rad = 0.0, tilt_rad = 0.0;
   double pan_target_rad = 0.0, tilt_target_rad = 0.0;  // clamped to the limits
   double pan_min_rad = 0.0, pan_max_rad = 0.0;
@@ -79,6 +79,7 @@ class PtuDriver {
     int min_count = 0, max_count = 0;
     int lower_speed = 0, upper_speed = 0;  // counts/s
     int count = 0, last_count = 0;
+    double read_s = 0.0, last_read_s = 0.0;  // when the unit read them
     std::optional<int> target_count;  // as accepted by the unit since the last initialisation
     int speed = 0;                    // counts/s, as accepted
   };
@@ -111,7 +112,9 @@ class PtuDriver {
   void QueueReset();
   void QueueTarget();
   void QueuePoll();
+  void QueuePosition(const std::string& letters, Axis* axis);
   void TakeSample(double time_s);
+  double CountAt(const Axis& axis, double time_s) const;
   int TargetCount(const Axis& axis, double angle_rad) const;
   int SpeedCount(const Axis& axis, double speed_rad_s) const;
 
@@ -121,6 +124,7 @@ class PtuDriver {
   Phase phase_ = Phase::kClosed;
   std::deque<Request> queue_;
   bool outstanding_ = false;  // the front of the queue has been sent
+  double sent_s_ = 0.0;       // when
   double deadline_s_ = 0.0;
   double phase_since_s_ = 0.0;
   double last_byte_s_ = 0.0;

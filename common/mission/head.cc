@@ -12,9 +12,10 @@ constexpr double kArrived_rad = 0.003;  // three motor steps of 0.9 mrad
 
 }  // namespace
 
-void Head::Point(const active_vision::HeadAngles& angles) {
-  if (wanted_ && *wanted_ == angles) return;
+void Head::Point(const active_vision::HeadAngles& angles, double speed_rad_s) {
+  if (wanted_ && *wanted_ == angles && speed_rad_s_ == speed_rad_s) return;
   wanted_ = angles;
+  speed_rad_s_ = speed_rad_s;
   ++id_;
   still_since_s_.reset();
   sent_s_ = -1e9;
@@ -44,6 +45,7 @@ std::optional<sensor::PtuCommand> Head::Command(double now_s, const sensor::PtuS
   command.command_id = id_;
   command.pan_rad = wanted_->pan_rad;
   command.tilt_rad = wanted_->tilt_rad;
+  command.speed_rad_s = speed_rad_s_;
   return command;
 }
 

@@ -16,7 +16,8 @@ class Head {
   // one.
   explicit Head(int64_t first_id) : id_(first_id) {}
 
-  void Point(const active_vision::HeadAngles& angles);
+  // `speed_rad_s` of the axis that turns: 0 for the PTU's own.
+  void Point(const active_vision::HeadAngles& angles, double speed_rad_s = 0.0);
   const std::optional<active_vision::HeadAngles>& wanted() const { return wanted_; }
 
   // Whether the PTU stands still where it was told to, since `settle_s` at least.
@@ -30,6 +31,7 @@ class Head {
 
   int64_t id_;
   std::optional<active_vision::HeadAngles> wanted_;
+  double speed_rad_s_ = 0.0;
   std::optional<double> still_since_s_;
   double sent_s_ = -1e9;
 };

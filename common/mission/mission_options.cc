@@ -57,7 +57,8 @@ bool LookingOptions::IsValid(std::string* error) const {
   if (!(stop_distance_m >= 0.7 && stop_distance_m <= 2.0)) {
     return Fail(error, "stop_distance_m must lie between 0.7 and 2.0");
   }
-  if (!AllPositive({stop_tolerance_m, min_range_m, max_target_distance_m, sector_rad, settle_s}) ||
+  if (!AllPositive(
+          {stop_tolerance_m, min_range_m, max_target_distance_m, sector_rad, settle_s, sweep_s}) ||
       !(max_range_m > min_range_m)) {
     return Fail(error, "distances, angles and times of looking must be positive, min < max range");
   }

@@ -48,6 +48,9 @@ struct DrivingOptions {
   bool IsValid(std::string* error) const;
 };
 
+// How stripes are laid: the head stops for each (thesis 4.2.4), or sweeps over the target.
+enum class ScanMode { kStop, kSweep };
+
 // Where targets can stand and how they are looked at.
 struct LookingOptions {
   std::vector<double> support_heights_m = {0.0, 0.7};  // floor, "desk of known height" (thesis 6.3)
@@ -64,6 +67,8 @@ struct LookingOptions {
   int lost_looks = 3;       // pictures without the target before it counts as lost
   active_vision::StripePlacementOptions placement;
   double settle_s = 0.12;  // after the head stopped
+  ScanMode scan = ScanMode::kStop;
+  double sweep_s = 0.45;  // from the first stripe of a laser to the last, while sweeping
 
   bool IsValid(std::string* error) const;
 };

@@ -48,12 +48,35 @@ Transition ScanPhase::Step(Context* context) {
       return ScanAgain(context, "the recognizer started anew");
     }
     newest_profile_seq_ = profile.seq;
+    if (sweep_) {
+      if (profile.scan_id != plan_.scan_id) continue;
+      if (!HeightAgrees(context, profile)) return Begin(context);
+      sweep_->Take(profile);
+      continue;
+    }
     const bool ours = profile.scan_id == plan_.scan_id && !all_laid() &&
                       profile.stripe_index == StripeIndex() && profile.attempt == attempt_;
     if (!ours) continue;
     if (auto next = Answered(context, profile)) return next;
   }
+  if (sweep_) return StepSweep(context);
   return all_laid() ? AwaitVerdict(context) : LayStripe(context);
+}
+
+Transition ScanPhase::StepSweep(Context* context) {
+  if (!sweep_->done()) sweep_->Step(context);
+  if (!sweep_->done()) return std::nullopt;
+  order_.clear();
+  for (size_t k = 0; k < plan_.stripes.size(); ++k) {
+    if (const auto& profile = sweep_->nearest()[k]) {
+      measured_.push_back(*profile);
+    } else {
+      order_.push_back(k);
+    }
+  }
+  sweep_.reset();
+  BeginStops(context);
+  return all_laid() ? AwaitVerdict(context) : std::nullopt;
 }
 
 int32_t ScanPhase::StripeIndex() const {
@@ -94,13 +117,33 @@ Transition ScanPhase::Begin(Context* context) {
 
   begun_ = true;
   order_ = active_vision::OrderStripes(plan_.stripes, view.head);
-  turn_ = 0;
-  attempt_ = 0;
   measured_.clear();
   height_verified_ = false;
   plan_sent_s_ = -1e9;
-  PointAtStripe(context);
+  sweep_.reset();
+  if (context->options.looking.scan == ScanMode::kSweep) {
+    sweep_.emplace(plan_, view.head);
+  } else {
+    BeginStops(context);
+  }
   return std::nullopt;
+}
+
+// To the first stripe of `order_`, or straight to the end where nothing is left to lay.
+void ScanPhase::BeginStops(Context* context) {
+  turn_ = 0;
+  attempt_ = 0;
+  if (all_laid()) {
+    EndStops(context);
+  } else {
+    PointAtStripe(context);
+  }
+}
+
+void ScanPhase::EndStops(Context* context) {
+  all_laid_s_ = context->time_s;
+  command_sent_s_ = -1e9;
+  context->head.Point({plan_.pan_rad, plan_.tilt_rad});
 }
 
 void ScanPhase::SendPlan(Context* context) {
@@ -207,9 +250,7 @@ void ScanPhase::NextStripe(Context* context) {
     PointAtStripe(context);
     return;
   }
-  all_laid_s_ = context->time_s;
-  command_sent_s_ = -1e9;
-  context->head.Point({plan_.pan_rad, plan_.tilt_rad});
+  EndStops(context);
 }
 
 Transition ScanPhase::AwaitVerdict(Context* context) {

@@ -4,15 +4,17 @@
 
 #include "active_vision/place_stripes.h"
 #include "mission/phase.h"
+#include "mission/sweep.h"
 #include "sensor/target_mask.h"
 
 namespace geon::mission {
 
-// Lays the six stripes (thesis 4.2.4) one after another, in the order that turns the head least:
-// head to its angles, still, stripe asked for until its profile answers. Once a stripe has told how
-// far the surface is, the others are placed by that. A stripe that is missing is asked for again, a
-// little beside, before the head moves on. Then the head goes back and the verdict is awaited. The
-// robot stands still throughout.
+// Lays the six stripes (thesis 4.2.4). While sweeping (sweep.h), what the sweep measured counts,
+// and only what it missed is laid as follows. Else all are laid one after another, in the order
+// that turns the head least: head to its angles, still, stripe asked for until its profile answers.
+// Once a stripe has told how far the surface is, the others are placed by that. A stripe that is
+// missing is asked for again, a little beside, before the head moves on. Then the head goes back
+// and the verdict is awaited. The robot stands still throughout.
 //
 // The first profile tells whether the supposed height of the support is right: if the distances do
 // not agree, the other height is taken and the scan starts anew, as it does when the recognizer
@@ -24,6 +26,9 @@ class ScanPhase {
 
  private:
   Transition Begin(Context* context);
+  void BeginStops(Context* context);
+  void EndStops(Context* context);
+  Transition StepSweep(Context* context);
   Transition LayStripe(Context* context);
   void PointAtStripe(Context* context);
   active_vision::HeadAngles StripeHead(const Context& context) const;
@@ -44,6 +49,7 @@ class ScanPhase {
   double tilt_step_rad_ = 0.0;  // a re-placed stripe's shift
   double pan_step_rad_ = 0.0;
   active_vision::StripeTarget target_;
+  std::optional<Sweep> sweep_;
   std::vector<size_t> order_;  // in which the plan's stripes are laid
   size_t turn_ = 0;            // of `order_`
   int attempt_ = 0;

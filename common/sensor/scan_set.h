@@ -30,8 +30,8 @@ struct RangeProfile {
   ProfileStatus status = ProfileStatus::kOk;
   int32_t on_target = 0;  // points left after background removal
   Laser laser = Laser::kHorizontal;
-  // Where the stripe was meant to lie: from the top (horizontal) or the left (vertical) of the
-  // target.
+  // Where the stripe was meant to lie, or a swept one lies: from the top (horizontal) or the left
+  // (vertical) of the target.
   double fraction = 0.5;
   // Image column (horizontal stripe) or row (vertical) of each point, strictly increasing; a
   // missing pixel is a gap (no return, or occluded).

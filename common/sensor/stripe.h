@@ -15,8 +15,12 @@ constexpr std::string_view ToString(Laser laser) {
   return laser == Laser::kVertical ? "vertical" : "horizontal";
 }
 
+// The stripe_index of a sweep: asked for, every frame that is lit while the head turns is a stripe.
+constexpr int32_t kSweptStripe = -1;
+
 // Ask for one stripe: which laser, for which stripe of which scan. Desired state: re-sent until the
 // stripe or its refusal arrives; the same (scan_id, stripe_index, attempt) is answered from memory.
+// A sweep (kSweptStripe) is re-sent for as long as it is to go on.
 struct ScanCommand {
   int64_t utime = 0;
   int32_t seq = 0;

@@ -58,8 +58,8 @@ inline MountingErrorOptions NoMountingErrors() {
 
 struct RendererOptions {
   CameraOptions color;
-  // 10 Hz. The band-pass filter leaves 2.5 % of the room's light.
-  CameraOptions stripe{10.0, 10000.0, 0.025, 1.0, 20000.0, 60.0, 0.016, 0.15};
+  // 30 Hz. The band-pass filter leaves 2.5 % of the room's light.
+  CameraOptions stripe{30.0, 10000.0, 0.025, 1.0, 20000.0, 60.0, 0.016, 0.15};
   CameraOptions floor;
   LaserOptions lasers;
   MountingErrorOptions mounting;

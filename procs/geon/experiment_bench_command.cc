@@ -20,6 +20,7 @@ struct BenchArguments {
   RecognitionArguments recognition;
   std::filesystem::path meshes, output, robot_file, sim_file, calibration;
   BenchPlan plan;
+  std::string scan;  // the robot file's
   std::string shard = "1/1";
   bool json = false;
   int jobs = 1;
@@ -36,7 +37,14 @@ int RunBenchCommand(const BenchArguments& arguments) {
   if (!settings.ok()) return FailBench(settings.status());
   auto& recognition = settings->recognizer.assembler.recognition;
   recognition = ToOptions(arguments.recognition, recognition);
-  if (!arguments.calibration.empty()) settings->recognizer.calibration_dir = arguments.calibration;
+  if (!arguments.calibration.empty()) {
+    settings->recognizer.calibration_dir = arguments.calibration;
+    settings->recognizer.ranging = recognizer::Ranging::kLookUpTable;
+  }
+  mission::ScanMode& scan = settings->mission.looking.scan;
+  if (!arguments.scan.empty()) {
+    scan = arguments.scan == "sweep" ? mission::ScanMode::kSweep : mission::ScanMode::kStop;
+  }
   const Result<std::optional<recognizer::StripeCalibration>> calibration =
       recognizer::LoadCalibration(settings->recognizer);
   if (!calibration.ok()) return FailBench(calibration.status());
@@ -51,6 +59,7 @@ int RunBenchCommand(const BenchArguments& arguments) {
   record.conditions = {
       {"ranges_m", arguments.plan.ranges_m},
       {"poses", arguments.plan.poses},
+      {"scan", scan == mission::ScanMode::kSweep ? "sweep" : "stop"},
       {"meshes", arguments.meshes.filename().string()},
       {"calibration", *calibration ? (*calibration)->hash : settings->recognizer.rig_source}};
   const auto begin = std::chrono::steady_clock::now();
@@ -98,8 +107,14 @@ void AddExperimentBenchCommand(CLI::App& experiment, int* exit_code) {
                    "folder of meshes with labels.csv, scaled to 20 cm, instead of the 28 objects")
       ->check(CLI::ExistingDirectory);
   command
+      ->add_option(
+          "--scan", arguments->scan,
+          "stop: the head stands for each stripe; sweep: stripes are taken while it turns; "
+          "the default is the robot file's")
+      ->check(CLI::IsMember({"stop", "sweep"}));
+  command
       ->add_option("--calibration", arguments->calibration,
-                   "folder of look-up tables, instead of the robot file's")
+                   "folder of look-up tables to range by, instead of the robot file's way")
       ->check(CLI::ExistingDirectory);
   command->add_option("--config", arguments->robot_file, "robot file")->capture_default_str();
   command->add_option("--sim-config", arguments->sim_file, "what the simulated robot is like")

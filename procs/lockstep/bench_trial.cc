@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "active_vision/laid_fraction.h"
 #include "base/angles.h"
-#include "base/median.h"
 #include "evaluation/trial_random.h"
 #include "procs/lockstep/lockstep_robot.h"
 #include "sim/world_scene.h"
@@ -70,38 +70,17 @@ Result<Bench> SetUp(const geometry::SensorRig& rig, const BenchTrial& trial) {
   return bench;
 }
 
-// Where a profile lies in the box: its points in the colour camera as it stood when the box was
-// seen. Nothing without points above the desk in the middle third of the box.
-std::optional<double> FractionLaid(const sensor::RangeProfile& profile,
-                                   const geometry::RigidTransform& X_CL,
-                                   const geometry::PinholeCamera& camera,
-                                   const sensor::PixelBox& box) {
-  constexpr double kAboveDesk_m = 0.01;
-  constexpr size_t kFewest = 5;
-  const bool horizontal = profile.laser == sensor::Laser::kHorizontal;
-  std::vector<double> laid_1;
-  for (const Eigen::Vector3d& p_L_m : profile.p_L_m) {
-    const Eigen::Vector3d p_C_m = X_CL * p_L_m;
-    if (p_L_m.z() < kAboveDesk_m || p_C_m.z() <= 0.0) continue;
-    const Eigen::Vector2d pixel_px = camera.Project(p_C_m);
-    const double from_left_1 = (pixel_px.x() + 0.5 - box.u_px) / box.w_px;
-    const double from_top_1 = (pixel_px.y() + 0.5 - box.v_px) / box.h_px;
-    if (std::abs((horizontal ? from_left_1 : from_top_1) - 0.5) > 1.0 / 6.0) continue;
-    const double laid = horizontal ? from_top_1 : from_left_1;
-    if (laid > 0.0 && laid < 1.0) laid_1.push_back(laid);
-  }
-  if (laid_1.size() < kFewest) return std::nullopt;
-  return Median(std::move(laid_1));
-}
-
 std::vector<double> Misplaced(const geometry::SensorRig& rig, const sensor::ScanSet& scan) {
   std::vector<double> misplaced_1;
   if (!scan.target_box) return misplaced_1;
   const auto X_LB = geometry::MakeTransform(scan.rotation_LB, scan.camera_position_L_m);
   const geometry::RigidTransform X_CL = rig.X_TC.inverse() * rig.X_TB * X_LB.inverse();
   for (const sensor::RangeProfile& profile : scan.profiles) {
-    const auto laid_1 = FractionLaid(profile, X_CL, rig.color_camera, *scan.target_box);
-    if (laid_1) misplaced_1.push_back(*laid_1 - profile.fraction);
+    const auto laid_1 =
+        active_vision::LaidFraction(profile, X_CL, rig.color_camera, *scan.target_box);
+    // A swept stripe was meant for the quarter that it lies nearest to.
+    const double quarter_1 = std::clamp(std::round(4.0 * profile.fraction), 1.0, 3.0) / 4.0;
+    if (laid_1) misplaced_1.push_back(*laid_1 - quarter_1);
   }
   return misplaced_1;
 }

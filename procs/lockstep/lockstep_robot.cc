@@ -107,7 +107,7 @@ void LockstepRobot::TurnBase() {
 
 void LockstepRobot::TurnStripeCamera() {
   capture_.Tick(time_s_);
-  lasers_.Request(capture_.wanted_laser());
+  lasers_.Request(capture_.wanted_laser(time_s_));
   Say(DeviceId::kLasers, lasers_.Step(time_s_, Hear(DeviceId::kLasers)));
   const device::LaserReport& report = lasers_.report();
   capture_.OnLaser(report, time_s_);

@@ -81,6 +81,11 @@ void ReadLooking(config::YamlSection section, mission::LookingOptions* looking) 
   looking->max_range_m = range_m[1];
   ReadArea(section.Child("sweep"), &looking->sweep);
   ReadArea(section.Child("near_sweep"), &looking->near);
+  std::string scan = "stop";
+  section.ReadOptional("scan", &scan);
+  section.Check(scan == "stop" || scan == "sweep", "scan", "must be stop or sweep");
+  looking->scan = scan == "sweep" ? mission::ScanMode::kSweep : mission::ScanMode::kStop;
+  section.ReadOptional("sweep_s", &looking->sweep_s);
 }
 
 void ReadPatience(config::YamlSection section, mission::PatienceOptions* patience) {

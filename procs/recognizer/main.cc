@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
       "geon-recognizer --calibration run/calibration");
   std::string calibration;
   arguments.AddOption("--calibration", &calibration,
-                      "folder of the look-up tables, instead of recognizer.calibration_dir");
+                      "folder of look-up tables to range by, instead of recognizer.ranging");
   if (const auto exit_code = arguments.Parse(argc, argv)) return *exit_code;
 
   const auto config = geon::recognizer::LoadRecognizerConfig(arguments, calibration);

@@ -26,7 +26,10 @@ Result<RecognizerConfig> Load(const std::filesystem::path& robot_file,
   if (config.calibration_dir.is_relative()) {
     config.calibration_dir = robot_file.parent_path() / config.calibration_dir;
   }
-  if (!calibration_dir.empty()) config.calibration_dir = calibration_dir;
+  if (!calibration_dir.empty()) {
+    config.calibration_dir = calibration_dir;
+    config.ranging = Ranging::kLookUpTable;
+  }
   return config;
 }
 

@@ -25,7 +25,7 @@ struct RecognizerConfig {
 void ReadRecognizerSection(config::YamlSection section, RecognizerConfig* config);
 
 // Reads `rig:` and `recognizer:` of a robot file; a relative calibration_dir belongs to the folder
-// of that file. `calibration_dir`, when not empty, wins over the file's.
+// of that file. `calibration_dir`, when not empty: distances come from the tables there.
 Result<RecognizerConfig> LoadRecognizerConfig(const std::filesystem::path& robot_file,
                                               const std::string& calibration_dir);
 

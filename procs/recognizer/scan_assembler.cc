@@ -1,7 +1,9 @@
 #include "procs/recognizer/scan_assembler.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "active_vision/laid_fraction.h"
 #include "procs/recognizer/difference_image.h"
 #include "rangefinder/color_tags.h"
 #include "rangefinder/range_profile.h"
@@ -79,11 +81,22 @@ void ScanAssembler::Take(const sensor::TargetMask& mask) {
   if (LiesInPicture(mask.box, rig_.color_camera)) mask_ = mask;
 }
 
+bool ScanAssembler::IsKnown(const sensor::Stripe& stripe) const {
+  if (!plan_ || stripe.scan_id != plan_->scan_id) return false;
+  const auto of_laser = [&](const sensor::PlannedStripe& planned) {
+    return planned.laser == stripe.laser;
+  };
+  if (stripe.stripe_index == sensor::kSweptStripe) {
+    return std::any_of(plan_->stripes.begin(), plan_->stripes.end(), of_laser);
+  }
+  const auto index = static_cast<size_t>(stripe.stripe_index);
+  return stripe.stripe_index >= 0 && index < plan_->stripes.size() &&
+         of_laser(plan_->stripes[index]);
+}
+
 ScanAssembler::Answer ScanAssembler::Take(const sensor::Stripe& stripe) {
-  const bool known = plan_ && stripe.scan_id == plan_->scan_id && stripe.stripe_index >= 0 &&
-                     static_cast<size_t>(stripe.stripe_index) < plan_->stripes.size() &&
-                     stripe.laser == plan_->stripes[static_cast<size_t>(stripe.stripe_index)].laser;
-  if (!known) return {EmptyProfile(stripe, ProfileStatus::kRefused), std::nullopt};
+  if (!IsKnown(stripe)) return {EmptyProfile(stripe, ProfileStatus::kRefused), std::nullopt};
+  if (stripe.stripe_index == sensor::kSweptStripe) return {TakeSwept(stripe), verdict_};
 
   const std::pair<int32_t, int32_t> key(stripe.stripe_index, stripe.attempt);
   const auto answered = answers_.find(key);
@@ -97,6 +110,54 @@ ScanAssembler::Answer ScanAssembler::Take(const sensor::Stripe& stripe) {
   }
   if (!verdict_ && good_.size() == plan_->stripes.size()) verdict_ = GiveVerdict();
   return {profile, verdict_};
+}
+
+sensor::RangeProfile ScanAssembler::TakeSwept(sensor::Stripe stripe) {
+  stripe.stripe_index = static_cast<int32_t>(NearestPlanned(stripe));
+  sensor::RangeProfile profile = Measure(stripe);
+  const auto X_RB = rig_.StripeCameraPose(plan_->pan_rad, plan_->tilt_rad);
+  const geometry::RigidTransform X_CL =
+      rig_.ColorCameraPose(plan_->pan_rad, plan_->tilt_rad).inverse() *
+      geometry::LevelFrame(X_RB, plan_->support_height_m);
+  const auto laid_1 =
+      active_vision::LaidFraction(profile, X_CL, rig_.color_camera, plan_->target_box);
+  if (!laid_1) {
+    profile.status = ProfileStatus::kMissing;
+    return profile;
+  }
+  profile.fraction = *laid_1;
+  const auto off_1 = [&](const sensor::RangeProfile& lies, size_t k) {
+    return std::abs(lies.fraction - plan_->stripes[k].fraction);
+  };
+  for (size_t k = 0; k < plan_->stripes.size(); ++k) {
+    const bool nearer =
+        plan_->stripes[k].laser == profile.laser &&
+        off_1(profile, k) < off_1(profile, static_cast<size_t>(profile.stripe_index));
+    if (nearer) profile.stripe_index = static_cast<int32_t>(k);
+  }
+  newest_utime_ = std::max(newest_utime_, stripe.utime);
+  if (profile.status != ProfileStatus::kOk || verdict_) return profile;
+  const auto index = static_cast<size_t>(profile.stripe_index);
+  const auto [best, first] = good_.emplace(profile.stripe_index, profile);
+  if (!first && off_1(profile, index) < off_1(best->second, index)) best->second = profile;
+  return profile;
+}
+
+// By where the head was.
+size_t ScanAssembler::NearestPlanned(const sensor::Stripe& swept) const {
+  const auto off_rad = [&](const sensor::PlannedStripe& planned) {
+    return swept.laser == sensor::Laser::kHorizontal ? std::abs(planned.tilt_rad - swept.tilt_rad)
+                                                     : std::abs(planned.pan_rad - swept.pan_rad);
+  };
+  size_t nearest = plan_->stripes.size();
+  for (size_t k = 0; k < plan_->stripes.size(); ++k) {
+    if (plan_->stripes[k].laser != swept.laser) continue;
+    if (nearest == plan_->stripes.size() ||
+        off_rad(plan_->stripes[k]) < off_rad(plan_->stripes[nearest])) {
+      nearest = k;
+    }
+  }
+  return nearest;
 }
 
 std::optional<sensor::GeonVerdict> ScanAssembler::Take(const sensor::ScanCommand& command) {

@@ -40,6 +40,10 @@ sensor::ScanSet MakeScanSet(const geometry::SensorRig& rig, const sensor::ScanPl
 // unknown
 //   scan (this process was started in mid-scan) is refused, and the planner starts anew.
 // - Each attempt at a stripe is measured; of several good ones the latest attempt counts.
+// - The stripes of a sweep come without a place of their own: each counts for the planned stripe of
+// its laser
+//   that it lies nearest to, and of several there the nearest; its profile says where it lies.
+//   They do not complete a scan: the planner ends it.
 // - The scan is complete when every planned stripe is good, or when the planner ends it
 // (SCAN_COMMAND with
 //   no laser) after giving up on some. The verdict is given once, and repeated when the end is
@@ -66,6 +70,9 @@ class ScanAssembler {
   int good_stripes() const { return static_cast<int>(good_.size()); }
 
  private:
+  bool IsKnown(const sensor::Stripe& stripe) const;
+  sensor::RangeProfile TakeSwept(sensor::Stripe stripe);
+  size_t NearestPlanned(const sensor::Stripe& swept) const;
   sensor::RangeProfile Measure(const sensor::Stripe& stripe) const;
   sensor::RangeProfile MeasurePoints(const sensor::Stripe& plain) const;
   sensor::RangeProfile Tagged(sensor::RangeProfile profile) const;

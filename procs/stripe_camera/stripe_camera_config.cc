@@ -47,6 +47,9 @@ void ReadStripeCameraSection(config::YamlSection section, const geometry::Sensor
   lasers.ReadOptional("baud", &config->lasers.baud);
   ReadSeconds(&lasers, "reply_timeout_s", &config->laser_driver.reply_timeout_s);
   ReadCapture(section, &config->capture);
+  if (config->source.controls.exposure_s) {
+    config->capture.exposure_s = *config->source.controls.exposure_s;
+  }
 }
 
 Result<StripeCameraConfig> LoadStripeCameraConfig(const config::DaemonArguments& arguments,

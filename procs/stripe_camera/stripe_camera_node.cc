@@ -88,7 +88,7 @@ StripeCameraNode::StripeCameraNode(const StripeCameraConfig& config,
 void StripeCameraNode::ServeLasers() {
   const double now_s = messaging::MonotonicSeconds();
   capture_.Tick(now_s);
-  lasers_.Request(capture_.wanted_laser());
+  lasers_.Request(capture_.wanted_laser(now_s));
   device::Pump(&link_, &lasers_, now_s);
   capture_.OnLaser(lasers_.report(), now_s);
   PublishAnswers();

@@ -33,16 +33,31 @@ bool SameKey(const sensor::Stripe& stripe, const sensor::ScanCommand& command) {
 
 }  // namespace
 
-StripeCapture::StripeCapture(const StripeCaptureOptions& options) : options_(options) {}
+StripeCapture::StripeCapture(const StripeCaptureOptions& options)
+    : options_(options),
+      sweep_({.exposure_s = options.exposure_s,
+              .settle_s = options.settle_s,
+              .state_timeout_s = options.state_timeout_s,
+              .request_timeout_s = options.request_timeout_s,
+              .proof = options.proof}) {}
 
-Laser StripeCapture::wanted_laser() const {
+Laser StripeCapture::needed_laser() const {
   return phase_ == Phase::kLit ? request_.laser : Laser::kNone;
 }
 
-std::vector<sensor::Stripe> StripeCapture::TakeAnswers() { return std::exchange(answers_, {}); }
+Laser StripeCapture::wanted_laser(double time_s) const {
+  return phase_ == Phase::kIdle ? sweep_.wanted_laser(time_s) : needed_laser();
+}
+
+std::vector<sensor::Stripe> StripeCapture::TakeAnswers() {
+  std::vector<sensor::Stripe> answers = std::exchange(answers_, {});
+  for (sensor::Stripe& swept : sweep_.TakeAnswers()) answers.push_back(std::move(swept));
+  return answers;
+}
 
 void StripeCapture::OnCommand(const sensor::ScanCommand& command, double time_s) {
-  if (command.laser == Laser::kNone) {
+  sweep_.OnCommand(command, time_s);
+  if (command.laser == Laser::kNone || command.stripe_index == sensor::kSweptStripe) {
     phase_ = Phase::kIdle;
     return;
   }
@@ -85,12 +100,14 @@ void StripeCapture::OnPtuState(const sensor::PtuState& state, double time_s) {
   if (!stands || !ptu_ || !SameHead(*ptu_, state)) ptu_still_since_s_ = time_s;
   ptu_ = state;
   ptu_received_s_ = time_s;
+  sweep_.OnPtuState(state, time_s);
   Tick(time_s);
 }
 
 void StripeCapture::OnBaseState(const sensor::BaseState& state, double time_s) {
   base_ = state;
   base_received_s_ = time_s;
+  sweep_.OnBaseState(state, time_s);
   Tick(time_s);
 }
 
@@ -98,6 +115,7 @@ void StripeCapture::OnLaser(const device::LaserReport& report, double time_s) {
   const bool lost = phase_ == Phase::kLit && laser_.confirmed &&
                     (!report.confirmed || report.restarts != laser_.restarts);
   laser_ = report;
+  sweep_.OnLaser(report);
   if (lost) lit_.Clear();  // what was lit before proves nothing for what comes
   Tick(time_s);
 }
@@ -146,7 +164,7 @@ void StripeCapture::Tick(double time_s) {
 }
 
 void StripeCapture::CheckTimeouts(double time_s) {
-  const Laser needed = wanted_laser();
+  const Laser needed = needed_laser();
   if (!IsLaser(needed)) {
     if (time_s - phase_since_s_ > options_.laser_timeout_s) {
       Refuse(StripeStatus::kLaserFault, "the laser board does not confirm: " + laser_.text, time_s);
@@ -160,9 +178,10 @@ void StripeCapture::CheckTimeouts(double time_s) {
 }
 
 bool StripeCapture::WantsFrame(double start_s, double time_s) const {
+  if (sweep_.WantsFrame(start_s, time_s)) return true;
   if (phase_ != Phase::kUnlit && phase_ != Phase::kLit) return false;
   const bool repeated = start_s <= last_start_s_;
-  const bool early = !IsLaser(wanted_laser()) ||
+  const bool early = !IsLaser(needed_laser()) ||
                      start_s < laser_.confirmed_time_s + options_.settle_s ||
                      start_s < ptu_still_since_s_ + options_.still_s;
   return !repeated && !early && start_s <= time_s;
@@ -171,6 +190,10 @@ bool StripeCapture::WantsFrame(double start_s, double time_s) const {
 void StripeCapture::OnFrame(const sensor::Image& grey, double start_s, double time_s) {
   Tick(time_s);
   if (!WantsFrame(start_s, time_s)) return;
+  if (phase_ == Phase::kIdle) {
+    sweep_.OnFrame(grey, start_s, time_s);
+    return;
+  }
   last_start_s_ = start_s;
   UseFrame(grey, start_s, time_s);
 }

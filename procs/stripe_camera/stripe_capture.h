@@ -7,6 +7,7 @@
 
 #include "device/laser_driver.h"
 #include "procs/stripe_camera/stripe_proof.h"
+#include "procs/stripe_camera/stripe_sweep.h"
 #include "sensor/base.h"
 #include "sensor/image.h"
 #include "sensor/ptu.h"
@@ -24,6 +25,7 @@ struct StripeCaptureOptions {
   double laser_timeout_s = 4.0;    // for the board's ok; a restart of the board fits in
   double frame_timeout_s = 2.5;    // for a frame that may be used
   double request_timeout_s = 1.0;  // after the last request: laser off, request forgotten
+  double exposure_s = 0.008;       // of a frame
   StripeProofOptions proof;
 };
 
@@ -36,7 +38,8 @@ struct StripeCaptureOptions {
 // No clock, no port: everything comes with the time of one monotonic clock. A laser is wanted only
 // while lit frames are awaited and head and base are known to stand; in every other state of this
 // class the answer to wanted_laser() is "none". A request that was answered is answered from memory
-// when it is repeated; one that is no longer repeated is forgotten.
+// when it is repeated; one that is no longer repeated is forgotten. What is asked of a sweep goes
+// to StripeSweep.
 class StripeCapture {
  public:
   explicit StripeCapture(const StripeCaptureOptions& options = {});
@@ -51,7 +54,7 @@ class StripeCapture {
 
   // Whether a frame whose exposure began at `start_s` would be used, were it here now.
   bool WantsFrame(double start_s, double time_s) const;
-  sensor::Laser wanted_laser() const;
+  sensor::Laser wanted_laser(double time_s) const;
   // Answers to publish, in order; the difference is kGray8, seq and the utime of refusals are not
   // set.
   std::vector<sensor::Stripe> TakeAnswers();
@@ -67,6 +70,7 @@ class StripeCapture {
 
   void Begin(Phase phase, double time_s);
   bool AnswerFromMemory(const sensor::ScanCommand& command, double time_s);
+  sensor::Laser needed_laser() const;
   bool IsLaser(sensor::Laser laser) const;
   // Why nothing may burn or be exposed now; empty when head and base stand.
   std::string WhyNotStanding(double time_s) const;
@@ -78,6 +82,7 @@ class StripeCapture {
   void Finish(sensor::StripeStatus status, double time_s);
 
   StripeCaptureOptions options_;
+  StripeSweep sweep_;
   Phase phase_ = Phase::kIdle;
   double phase_since_s_ = 0.0;
   sensor::ScanCommand request_;

@@ -98,6 +98,20 @@ std::vector<int16_t> FrameSum::MeanDifference(const FrameSum& lit) const {
   return difference;
 }
 
+std::vector<int16_t> AboveMedian(const sensor::Image& grey) {
+  Require(grey.format == sensor::PixelFormat::kGray8, "AboveMedian: the frame must be grey");
+  const auto width = static_cast<std::ptrdiff_t>(grey.width_px);
+  std::vector<int16_t> levels;
+  levels.reserve(static_cast<size_t>(width * grey.height_px));
+  for (std::ptrdiff_t row = 0; row < grey.height_px; ++row) {
+    const auto from = grey.data.begin() + row * grey.row_stride_bytes;
+    levels.insert(levels.end(), from, from + width);
+  }
+  const int median = MedianValue(CountValues(levels), levels.size());
+  for (int16_t& level : levels) level = static_cast<int16_t>(level - median);
+  return levels;
+}
+
 StripeProof ProveStripe(const std::vector<int16_t>& difference, int width_px, int height_px,
                         sensor::Laser laser, const StripeProofOptions& options) {
   Require(laser != sensor::Laser::kNone, "ProveStripe: no laser");

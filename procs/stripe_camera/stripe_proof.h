@@ -43,6 +43,10 @@ class FrameSum {
   int height_px_ = 0;
 };
 
+// A frame above the median of its levels, in place of a difference where there is no unlit frame:
+// of what the room's light shows, little passes the camera's filter.
+std::vector<int16_t> AboveMedian(const sensor::Image& grey);
+
 // Looks at the signed difference: a stripe of the horizontal laser stands out in many columns and
 // in few rows, that of the vertical one the other way round. What is brighter everywhere (lamp
 // flicker) is taken off first.

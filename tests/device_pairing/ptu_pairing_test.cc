@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "base/angles.h"
 #include "device/ptu_driver.h"
@@ -60,6 +63,35 @@ TEST_F(PtuPairingTest, MovesWhereItIsToldLeftAndUpPositive) {
     EXPECT_TRUE(Arrives(pan_rad, tilt_rad, 6.0)) << driver_.report().text;
   }
   EXPECT_EQ(driver_.report().recoveries, 0);
+}
+
+// A slow line tells where the head was some hundredths of a second ago, the pan before the tilt.
+TEST_F(PtuPairingTest, SaysWhereTheHeadWasWhenItWasThere) {
+  ASSERT_TRUE(BecomesReady(2.0));
+  const double speed_rad_s = RadiansFromDegrees(15.0);
+  LookAt(0.6, 0.45, speed_rad_s);
+  std::vector<std::array<double, 3>> truth;  // time, pan, tilt
+  std::vector<device::PtuReport> told;
+  line_.RunUntil(
+      [&] {
+        truth.push_back({line_.time_s(), unit_.pan_rad(), unit_.tilt_rad()});
+        const device::PtuReport& report = driver_.report();
+        if (told.empty() || report.samples != told.back().samples) told.push_back(report);
+        return line_.time_s() > 3.5;
+      },
+      3.5);
+  int moving = 0;
+  for (const device::PtuReport& report : told) {
+    const auto then = std::find_if(truth.begin(), truth.end(), [&](const auto& state) {
+      return state[0] >= report.sample_time_s;
+    });
+    ASSERT_NE(then, truth.end());
+    if (report.samples < 3 || (*then)[1] < 0.05 || (*then)[1] > 0.4) continue;  // at full speed
+    ++moving;
+    EXPECT_NEAR(report.pan_rad, (*then)[1], RadiansFromDegrees(0.08));
+    EXPECT_NEAR(report.tilt_rad, (*then)[2], RadiansFromDegrees(0.08));
+  }
+  EXPECT_GT(moving, 15);
 }
 
 TEST_F(PtuPairingTest, MovingIsSaidForAsLongAsTheHeadMoves) {

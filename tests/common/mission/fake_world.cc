@@ -15,6 +15,7 @@ namespace {
 constexpr double kStep_s = 0.05;
 constexpr double kHeadSpeed_rad_s = 1.5;
 constexpr double kAnswer_s = 0.3;
+constexpr double kSweptAnswer_s = 0.1;
 const cv::Scalar kFloor(140, 150, 150);
 const cv::Scalar kAbove(200, 190, 180);  // what is above the horizon: not floor, not target
 
@@ -86,6 +87,7 @@ void FakeWorld::Step() {
   Move();
   TellStates();
   if (step_ % 4 == 0) TellPictures();
+  if (sweep_) AnswerSweep();
   TellProfiles();
   wishes_ = mission_->Step(now_s_);
   if (phases.empty() || phases.back() != mission_->phase()) phases.push_back(mission_->phase());
@@ -103,7 +105,10 @@ void FakeWorld::TellProfiles() {
       profile.seq = ++recognizer_seq;
       mission_->Take(profile);
       const bool good = profile.status == sensor::ProfileStatus::kOk;
-      if (good && ++answered_[profile.scan_id] == 6) GiveVerdict(profile.scan_id);
+      const bool swept = profile.attempt == sensor::kSweptStripe;
+      int& answered = answered_[profile.scan_id];
+      if (good && swept) answered = std::max(answered, 1);
+      if (good && !swept && ++answered == 6) GiveVerdict(profile.scan_id);
     }
     due = pending_.erase(due);
   }
@@ -153,8 +158,9 @@ void FakeWorld::Move() {
   }
   if (!ptu_up) return;
   const active_vision::HeadAngles before = head;
-  head.pan_rad = Toward(head.pan_rad, head_target_.pan_rad, kHeadSpeed_rad_s * kStep_s);
-  head.tilt_rad = Toward(head.tilt_rad, head_target_.tilt_rad, kHeadSpeed_rad_s * kStep_s);
+  const double speed_rad_s = head_speed_rad_s_ > 0.0 ? head_speed_rad_s_ : kHeadSpeed_rad_s;
+  head.pan_rad = Toward(head.pan_rad, head_target_.pan_rad, speed_rad_s * kStep_s);
+  head.tilt_rad = Toward(head.tilt_rad, head_target_.tilt_rad, speed_rad_s * kStep_s);
   head_moving_ = !(head == before);
 }
 
@@ -260,6 +266,7 @@ cv::Mat FakeWorld::Picture(const geometry::PinholeCamera& camera,
 void FakeWorld::Obey(const Wishes& wishes) {
   if (wishes.head && ptu_up) {
     head_target_ = {wishes.head->pan_rad, wishes.head->tilt_rad};
+    head_speed_rad_s_ = wishes.head->speed_rad_s;
     if (head_command_id_ != wishes.head->command_id) head_moving_ = true;
     head_command_id_ = wishes.head->command_id;
   }
@@ -269,6 +276,12 @@ void FakeWorld::Obey(const Wishes& wishes) {
   }
   if (!wishes.scan_command) return;
   const sensor::ScanCommand& command = *wishes.scan_command;
+  sweep_.reset();
+  if (command.stripe_index == sensor::kSweptStripe) {
+    if (sweeps.empty() || sweeps.back() != command.laser) sweeps.push_back(command.laser);
+    sweep_ = command;
+    return;
+  }
   if (command.laser != sensor::Laser::kNone) {
     if (stripe_camera_up) AnswerStripe(command);
   } else if (recognizer_up && command.scan_id != 0 && answered_[command.scan_id] > 0) {
@@ -292,23 +305,49 @@ void FakeWorld::AnswerStripe(const sensor::ScanCommand& command) {
   if (!recognizer_up) return;
   stripe_calls.push_back(command);
   stripe_heads.push_back(head);
+  sensor::RangeProfile profile = Measured(command);
+  int& missing = missing_attempts[command.stripe_index];
+  if (missing > 0) {
+    --missing;
+    profile = {};
+    profile.scan_id = command.scan_id;
+    profile.stripe_index = command.stripe_index;
+    profile.attempt = command.attempt;
+    profile.laser = command.laser;
+    profile.status = sensor::ProfileStatus::kMissing;
+  }
+  pending_.emplace_back(now_s_ + kAnswer_s, profile);
+}
+
+sensor::RangeProfile FakeWorld::Measured(const sensor::ScanCommand& command) const {
   sensor::RangeProfile profile;
   profile.scan_id = command.scan_id;
   profile.stripe_index = command.stripe_index;
   profile.attempt = command.attempt;
   profile.laser = command.laser;
-  int& missing = missing_attempts[command.stripe_index];
-  if (missing > 0) {
-    --missing;
-    profile.status = sensor::ProfileStatus::kMissing;
-  } else {
-    for (int u = 60; u < 100; ++u) {
-      profile.pixel.push_back(u);
-      profile.p_L_m.emplace_back(TrueDistance(), 0.005 * (80 - u), 0.1);
-    }
-    profile.on_target = 40;
+  for (int u = 60; u < 100; ++u) {
+    profile.pixel.push_back(u);
+    profile.p_L_m.emplace_back(TrueDistance(), 0.005 * (80 - u), 0.1);
   }
-  pending_.emplace_back(now_s_ + kAnswer_s, profile);
+  profile.on_target = 40;
+  return profile;
+}
+
+// A stripe where the head is now, between those that the plan has for this laser.
+void FakeWorld::AnswerSweep() {
+  const std::vector<sensor::PlannedStripe>& planned = plans.back().stripes;
+  const size_t first = sweep_->laser == sensor::Laser::kHorizontal ? 0 : 3;
+  const auto at = [&](const sensor::PlannedStripe& stripe) {
+    return first == 0 ? stripe.tilt_rad : stripe.pan_rad;
+  };
+  const double head_rad = first == 0 ? head.tilt_rad : head.pan_rad;
+  const double low_rad = at(planned[first]), high_rad = at(planned[first + 2]);
+  sensor::RangeProfile profile = Measured(*sweep_);
+  profile.fraction = 0.25 + 0.5 * (head_rad - low_rad) / (high_rad - low_rad);
+  const double quarter = std::clamp(std::round(4.0 * profile.fraction), 1.0, 3.0);
+  profile.stripe_index = static_cast<int32_t>(first + static_cast<size_t>(quarter) - 1);
+  if (never_swept.contains(profile.stripe_index)) profile.status = sensor::ProfileStatus::kMissing;
+  pending_.emplace_back(now_s_ + kSweptAnswer_s, profile);
 }
 
 }  // namespace geon::mission

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <opencv2/core.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,7 @@ class FakeWorld {
   bool bumper_pressed = false;
   double bumper_bearing_rad = 0.0;
   std::map<int, int> missing_attempts;  // stripe -> how often it is missing
+  std::set<int> never_swept;            // planned stripes that no sweep measures
   bool decided = true;
   int32_t recognizer_seq = 0;  // set back to 0: it was restarted
 
@@ -67,6 +69,7 @@ class FakeWorld {
   std::vector<sensor::TargetMask> masks;                // one per plan
   std::vector<sensor::ScanCommand> stripe_calls;        // one per (scan, stripe, attempt)
   std::vector<active_vision::HeadAngles> stripe_heads;  // head angles of these
+  std::vector<sensor::Laser> sweeps;                    // lasers that were swept, in order
   std::vector<Phase> phases;                            // as entered
   bool drove_while_scanning = false;
 
@@ -77,6 +80,8 @@ class FakeWorld {
   void TellPictures();
   void Obey(const Wishes& wishes);
   void AnswerStripe(const sensor::ScanCommand& command);
+  void AnswerSweep();
+  sensor::RangeProfile Measured(const sensor::ScanCommand& command) const;
   void TellProfiles();
   void GiveVerdict(int64_t scan_id);
   cv::Mat Picture(const geometry::PinholeCamera& camera,
@@ -92,7 +97,9 @@ class FakeWorld {
   int32_t base_seq_ = 0;
   int64_t head_command_id_ = 0;
   active_vision::HeadAngles head_target_;
+  double head_speed_rad_s_ = 0.0;  // 0: its own
   bool head_moving_ = false;
+  std::optional<sensor::ScanCommand> sweep_;
   std::vector<std::pair<double, sensor::RangeProfile>> pending_;  // due time
   std::map<int64_t, int> answered_;                               // scan id -> stripes measured
 };

@@ -28,6 +28,18 @@ TEST(HeadTest, RepeatsTheCommandUntilThePtuHasHeardIt) {
   EXPECT_TRUE(head.Command(0.9, At(0.0, 0)).has_value());
 }
 
+TEST(HeadTest, AnotherSpeedIsAnotherWish) {
+  Head head(1);
+  head.Point({0.5, 0.0});
+  const auto fast = head.Command(0.0, At(0.0, 0));
+  EXPECT_EQ(fast->speed_rad_s, 0.0);
+  head.Point({0.5, 0.0}, 0.25);
+  const auto slow = head.Command(0.1, At(0.0, fast->command_id));
+  ASSERT_TRUE(slow.has_value());
+  EXPECT_EQ(slow->speed_rad_s, 0.25);
+  EXPECT_GT(slow->command_id, fast->command_id);
+}
+
 TEST(HeadTest, SettledMeansThisCommandThereAndStillForSomeTime) {
   Head head(1);
   head.Point({0.5, 0.0});

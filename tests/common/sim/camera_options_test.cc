@@ -12,7 +12,7 @@ TEST(RendererOptionsTest, DefaultsAreValid) { EXPECT_TRUE(Validate(RendererOptio
 
 TEST(RendererOptionsTest, NamesTheCameraAndTheRuleThatIsBroken) {
   RendererOptions options;
-  options.stripe.exposure_us = 95000.0;  // at 10 Hz
+  options.stripe.exposure_us = 95000.0;  // at 30 Hz
   EXPECT_THAT(Validate(options).message(),
               AllOf(HasSubstr("stripe_camera"), HasSubstr("exposure_us")));
   options = RendererOptions();

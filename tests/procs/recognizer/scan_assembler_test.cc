@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "messaging/codec.h"
 #include "tests/procs/recognizer/board_scene.h"
 
@@ -67,6 +69,40 @@ TEST_F(ScanAssemblerTest, MeasuresByTheRigWhereThereAreNoTables) {
   for (size_t k = 0; k < answer.profile.p_L_m.size(); ++k) {
     EXPECT_NEAR((answer.profile.p_L_m[k] - by_table.profile.p_L_m[k]).norm(), 0.0, 0.002);
   }
+}
+
+TEST_F(ScanAssemblerTest, OfSweptStripesTheNearestToEachQuarterCounts) {
+  plan_.target_box = {220, 227, 200, 200};  // where the colour camera sees the board
+  assembler_.Take(plan_);
+  std::map<int32_t, double> nearest_1;
+  for (int step = -8; step <= 8; ++step) {
+    sensor::Stripe stripe = Stripe(1);
+    stripe.stripe_index = stripe.attempt = sensor::kSweptStripe;
+    stripe.tilt_rad = 0.01 * step;
+    stripe.utime += 100 * step;
+    const auto answer = assembler_.Take(stripe);
+    EXPECT_FALSE(answer.verdict.has_value());
+    if (answer.profile.status != ProfileStatus::kOk) continue;
+    const double quarter_1 = 0.25 * (answer.profile.stripe_index + 1);
+    const double off_1 = std::abs(answer.profile.fraction - quarter_1);
+    for (const double other_1 : {0.25, 0.5, 0.75}) {
+      EXPECT_LE(off_1, std::abs(answer.profile.fraction - other_1));
+    }
+    const auto known = nearest_1.emplace(answer.profile.stripe_index, off_1).first;
+    known->second = std::min(known->second, off_1);
+  }
+  ASSERT_EQ(nearest_1.size(), 3U);
+  const sensor::ScanSet scan = assembler_.CurrentScan();
+  ASSERT_EQ(scan.profiles.size(), 3U);
+  for (const sensor::RangeProfile& profile : scan.profiles) {
+    const double quarter_1 = 0.25 * (profile.stripe_index + 1);
+    EXPECT_EQ(std::abs(profile.fraction - quarter_1), nearest_1[profile.stripe_index]);
+    EXPECT_LT(nearest_1[profile.stripe_index], 0.05);
+  }
+  // One that the head stopped for is better than any.
+  assembler_.Take(Stripe(1));
+  EXPECT_EQ(assembler_.CurrentScan().profiles[1].fraction, 0.5);
+  EXPECT_TRUE(assembler_.Take(End()).has_value());
 }
 
 TEST_F(ScanAssemblerTest, TagsPointsByTheMaskOfTheSameScanWheneverItComes) {

@@ -88,8 +88,8 @@ class Bench {
   }
 
   void StepBoard() {
-    if (capture.wanted_laser() != asked_) {
-      asked_ = capture.wanted_laser();
+    if (capture.wanted_laser(time_s) != asked_) {
+      asked_ = capture.wanted_laser(time_s);
       asked_s_ = time_s;
       report_.confirmed = false;
       if (asked_ != Laser::kNone) report_.laser = asked_;  // may burn from now on
@@ -291,7 +291,7 @@ TEST(StripeCapture, ABaseThatStartsToMoveDarkensTheLaserAtOnce) {
   UntilItBurns(&bench);
   bench.base.moving = true;
   bench.capture.OnBaseState(bench.base, bench.time_s);
-  EXPECT_EQ(bench.capture.wanted_laser(), Laser::kNone);
+  EXPECT_EQ(bench.capture.wanted_laser(bench.time_s), Laser::kNone);
   const auto answers = bench.capture.TakeAnswers();
   ExpectStatus(answers, StripeStatus::kMoving, bench);
 }
@@ -332,7 +332,7 @@ TEST(StripeCapture, LaserNoneSwitchesOffAndForgets) {
   Bench bench;
   UntilItBurns(&bench);
   bench.capture.OnCommand(Bench::Command(Laser::kNone), bench.time_s);
-  EXPECT_EQ(bench.capture.wanted_laser(), Laser::kNone);
+  EXPECT_EQ(bench.capture.wanted_laser(bench.time_s), Laser::kNone);
   bench.Run(0.5);
   EXPECT_EQ(bench.burning, Laser::kNone);
   EXPECT_TRUE(bench.capture.TakeAnswers().empty());
@@ -355,7 +355,7 @@ TEST(StripeCapture, ANewRequestReplacesTheOldOne) {
   Bench bench;
   UntilItBurns(&bench);
   bench.capture.OnCommand(Bench::Command(Laser::kVertical, 1), bench.time_s);
-  EXPECT_EQ(bench.capture.wanted_laser(), Laser::kNone);
+  EXPECT_EQ(bench.capture.wanted_laser(bench.time_s), Laser::kNone);
   const auto answers = bench.Ask(Laser::kVertical, 1);
   ExpectStatus(answers, StripeStatus::kLit, bench);
   EXPECT_EQ(answers[0].stripe_index, 1);
