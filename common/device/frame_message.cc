@@ -59,6 +59,7 @@ Result<sensor::Image> ParseFrame(std::string_view text, std::span<const uint8_t>
   image.utime = *utime;
   image.width_px = static_cast<int>(*width);
   image.height_px = static_cast<int>(*height);
+  if (*exposure_us > 0) image.exposure_s = 1e-6 * static_cast<double>(*exposure_us);
   image.row_stride_bytes = image.width_px * ChannelCount(image.format);
   const int64_t expected = *height * image.row_stride_bytes;
   if (static_cast<int64_t>(pixels.size()) != expected) {

@@ -1,8 +1,11 @@
 // Conversions of what devices say and are told: images, stripes, head, base, lasers.
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
+#include <string>
 
+#include "base/time.h"
 #include "messaging/wire.h"
 #include "messaging/wire_checks.h"
 
@@ -51,6 +54,30 @@ std::string WhyNotAnImage(const sensor::Image& image) {
          " bytes, not height x stride = " + std::to_string(expected);
 }
 
+// The exposure is a note on the image: the type, released, has no field for it.
+constexpr const char* kExposureKey = "exposure_us";
+constexpr int64_t kLongestExposure_us = 10'000'000;
+
+image_metadata_t ExposureNote(double exposure_s) {
+  const std::string text = std::to_string(MicrosecondsFromSeconds(exposure_s));
+  image_metadata_t note{};
+  note.key = kExposureKey;
+  note.value.assign(text.begin(), text.end());
+  note.n = WireCount(note.value);
+  return note;
+}
+
+// Nothing when the note is no length of time.
+std::optional<double> ReadExposureNote(const image_metadata_t& note) {
+  const char* const begin = reinterpret_cast<const char*>(note.value.data());
+  const char* const end = begin + note.value.size();
+  int64_t exposure_us = 0;
+  const auto [rest, error] = std::from_chars(begin, end, exposure_us);
+  if (error != std::errc() || rest != end) return std::nullopt;
+  if (exposure_us <= 0 || exposure_us > kLongestExposure_us) return std::nullopt;
+  return SecondsFromMicroseconds(exposure_us);
+}
+
 constexpr sensor::DeviceStatus kLastStatus = sensor::DeviceStatus::kFault;
 constexpr sensor::Laser kLastLaserLit = sensor::Laser::kVertical;
 
@@ -70,7 +97,8 @@ image_t ToWire(const sensor::Image& image) {
   }
   wire.size = WireCount(image.data);
   wire.data = image.data;
-  wire.nmetadata = 0;
+  if (image.exposure_s) wire.metadata.push_back(ExposureNote(*image.exposure_s));
+  wire.nmetadata = WireCount(wire.metadata);
   return wire;
 }
 
@@ -90,6 +118,11 @@ Result<sensor::Image> FromWire(const image_t& wire) {
   image.data = wire.data;
   const std::string why_not = WhyNotAnImage(image);
   if (!why_not.empty()) return Status::Error("image " + why_not);
+  for (const image_metadata_t& note : wire.metadata) {
+    if (note.key != kExposureKey) continue;
+    image.exposure_s = ReadExposureNote(note);
+    if (!image.exposure_s) return Status::Error("image has an exposure_us that is none");
+  }
   return image;
 }
 

@@ -1,5 +1,6 @@
 #include "mission/eyes.h"
 
+#include <algorithm>
 #include <opencv2/core.hpp>
 #include <utility>
 
@@ -38,13 +39,14 @@ Eyes::Eyes(const SeeingOptions& options, const geometry::SensorRig& rig)
 std::optional<HeadSighting> Eyes::LookHead(const PoseHistory& history) {
   if (!head_image_) return std::nullopt;
   const int64_t utime = head_image_->utime;
+  const double exposure_s = std::max(options_.exposure_s, head_image_->exposure_s.value_or(0.0));
   if (!history.RobotKnownAfter(utime) ||
-      !history.HeadKnownAfter(utime + MicrosecondsFromSeconds(options_.exposure_s))) {
+      !history.HeadKnownAfter(utime + MicrosecondsFromSeconds(exposure_s))) {
     return std::nullopt;
   }
   HeadSighting sighting;
   sighting.image = *std::exchange(head_image_, std::nullopt);
-  const auto head = history.HeadAt(utime, options_.exposure_s, options_.still_rad);
+  const auto head = history.HeadAt(utime, exposure_s, options_.still_rad);
   const auto X_WR = history.RobotAt(utime);
   if (!head || !X_WR) return std::nullopt;
   sighting.head = head->head;

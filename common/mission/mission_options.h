@@ -26,7 +26,8 @@ struct SeeingOptions {
       floor_model;  // known a priori (thesis 4.3 (i)), refined from the first picture
   bool learn_floor = true;
   navigation::FloorObstacleOptions floor_obstacles;
-  double exposure_s = 0.06;  // longest exposure: the head must stand still so long after utime
+  double exposure_s = 0.06;  // the head must stand still so long after utime, or for the exposure
+                             // that the picture states, if that is longer
   double still_rad = 0.001;  // angles this near are the same angle
 
   bool IsValid(std::string* error) const;

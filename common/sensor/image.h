@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace geon::sensor {
@@ -18,6 +19,7 @@ struct Image {
   int row_stride_bytes = 0;
   PixelFormat format = PixelFormat::kGray8;
   std::vector<uint8_t> data;
+  std::optional<double> exposure_s;  // with which it was taken, where the camera says so
 };
 
 constexpr int ChannelCount(PixelFormat format) {

@@ -16,6 +16,7 @@ sensor::Image WithoutPixels(const sensor::Image& image) {
   copy.seq = image.seq;
   copy.width_px = image.width_px;
   copy.height_px = image.height_px;
+  copy.exposure_s = image.exposure_s;
   return copy;
 }
 

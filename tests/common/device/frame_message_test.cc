@@ -31,6 +31,7 @@ TEST(FrameMessage, AGoodFrameBecomesAnImage) {
   EXPECT_EQ(image->row_stride_bytes, 9);
   EXPECT_EQ(image->format, sensor::PixelFormat::kBgr8);
   EXPECT_EQ(image->data.size(), 18u);
+  EXPECT_DOUBLE_EQ(image->exposure_s.value(), 0.008);
   EXPECT_EQ(Parse(With("bgr8", "gray8"), 6)->format, sensor::PixelFormat::kGray8);
 }
 

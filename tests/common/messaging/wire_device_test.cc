@@ -22,6 +22,26 @@ TEST(WireDevice, ImageSurvivesTheRoundTrip) {
   EXPECT_EQ(got->data, sent.data);
 }
 
+TEST(WireDevice, AnImageCarriesItsExposureAsANote) {
+  sensor::Image image = samples::GreyImage(5, 3);
+  EXPECT_EQ(ToWire(image).nmetadata, 0);
+  image.exposure_s = 0.0125;
+  geon::image_t wire = ToWire(image);
+  ASSERT_EQ(wire.nmetadata, 1);
+  EXPECT_EQ(wire.metadata[0].key, "exposure_us");
+  EXPECT_EQ(std::string(wire.metadata[0].value.begin(), wire.metadata[0].value.end()), "12500");
+  const auto got = Decode<sensor::Image>(Encode(image));
+  ASSERT_TRUE(got.ok()) << got.message();
+  EXPECT_DOUBLE_EQ(got->exposure_s.value(), 0.0125);
+
+  for (const std::string text : {"", "-5", "0", "12500 us", "99999999999"}) {
+    wire.metadata[0].value.assign(text.begin(), text.end());
+    EXPECT_FALSE(FromWire(wire).ok()) << text;
+  }
+  wire.metadata[0].key = "camera";  // other notes are left alone
+  EXPECT_TRUE(FromWire(wire).ok());
+}
+
 TEST(WireDevice, EveryPixelFormatSurvives) {
   using sensor::PixelFormat;
   for (const PixelFormat format : {PixelFormat::kJpeg, PixelFormat::kPng}) {

@@ -56,6 +56,19 @@ TEST_F(EyesTest, APictureWaitsForItsPoseAndIsGivenOnce) {
   EXPECT_FALSE(eyes_.LookHead(history_).has_value());
 }
 
+TEST_F(EyesTest, TheHeadMustStandThroughTheExposureThatThePictureStates) {
+  sensor::Image picture = Plain(160, 120, 40, 40, 150);
+  picture.exposure_s = 0.150;
+  eyes_.TakeHead(picture);
+  Base(kNow - 10'000);
+  Ptu(kNow - 10'000);
+  Base(kNow + 100'000);
+  Ptu(kNow + 100'000);
+  EXPECT_FALSE(eyes_.LookHead(history_).has_value());
+  Ptu(kNow + 200'000);
+  EXPECT_TRUE(eyes_.LookHead(history_).has_value());
+}
+
 TEST_F(EyesTest, LearnsTheFloorFromTheFirstGoodPicture) {
   Base(kNow);
   eyes_.TakeFloor(Plain(160, 120, 60, 60, 60));  // something dark stands there
