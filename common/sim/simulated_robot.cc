@@ -104,19 +104,19 @@ SimulatedRobot::SimulatedRobot(const World& world, std::shared_ptr<const Scene> 
     shutter.camera = camera;
     shutter.focal_px = drawn[k]->fx_px;
     shutter.made_period_steps = Steps(1.0 / cameras[k]->rate_hz, kStep_s);
-    shutter.made_exposure_steps = Steps(cameras[k]->exposure_us * 1e-6, kStep_s);
-    shutter.asked_exposure_steps = shutter.exposure_steps = shutter.made_exposure_steps;
+    shutter.made_exposure_s = cameras[k]->exposure_us * 1e-6;
+    shutter.asked_exposure_s = shutter.next_exposure_s = shutter.made_exposure_s;
+    shutter.exposure_steps = Steps(shutter.made_exposure_s, kStep_s);
     // The cameras run freely: nothing makes them start together.
     shutter.next_start_step = static_cast<int64_t>(7 + 31 * k);
   }
 }
 
 void SimulatedRobot::SetExposure(CameraId camera, double exposure_s) {
-  Require(exposure_s >= 0.001 && exposure_s <= 2.0,
-          "SetExposure: " + std::to_string(exposure_s) + " s, must be from 0.001 to 2");
-  Shutter& shutter = shutters_[static_cast<size_t>(camera)];
-  // An exposure under way ends as it began.
-  shutter.asked_exposure_steps = Steps(exposure_s, kStep_s);
+  Require(exposure_s > 0.0, "SetExposure: exposure_s must be positive");
+  constexpr double kLeast_s = 0.0001, kMost_s = 2.0;
+  shutters_[static_cast<size_t>(camera)].asked_exposure_s =
+      std::clamp(exposure_s, kLeast_s, kMost_s);
 }
 
 void SimulatedRobot::Receive(DeviceId device, std::span<const uint8_t> bytes) {
@@ -149,7 +149,8 @@ void SimulatedRobot::StepShutter(Shutter* shutter) {
   Exposure& exposure = shutter->exposure;
   if (steps_ == shutter->next_start_step) {
     constexpr double kReadOut_1 = 0.1;  // of the period, at least
-    shutter->exposure_steps = shutter->asked_exposure_steps;
+    const double exposure_s = std::exchange(shutter->next_exposure_s, shutter->asked_exposure_s);
+    shutter->exposure_steps = Steps(exposure_s, kStep_s);
     const auto least_steps = static_cast<int64_t>(
         std::ceil(static_cast<double>(shutter->exposure_steps) / (1.0 - kReadOut_1)));
     shutter->next_start_step += std::max(shutter->made_period_steps, least_steps);
@@ -158,8 +159,8 @@ void SimulatedRobot::StepShutter(Shutter* shutter) {
     exposure.camera = shutter->camera;
     exposure.seq = ++shutter->seq;
     exposure.start_s = time_s();
-    exposure.exposure_1 = static_cast<double>(shutter->exposure_steps) /
-                          static_cast<double>(shutter->made_exposure_steps);
+    exposure.exposure_s = exposure_s;
+    exposure.exposure_1 = exposure_s / shutter->made_exposure_s;
     shutter->poses.clear();
     shutter->lit_steps[0] = shutter->lit_steps[1] = 0;
   }

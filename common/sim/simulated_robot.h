@@ -29,7 +29,8 @@ struct Exposure {
   double end_s = 0.0;
   RigPath path;
   LaserFractions lasers;
-  double exposure_1 = 1.0;  // its length, in units of the camera's exposure_us
+  double exposure_s = 0.0;  // its length, to the bit as asked for
+  double exposure_1 = 1.0;  // the same in units of the camera's exposure_us
 };
 
 Frame Develop(const Exposure& exposure, RigRenderer* renderer);
@@ -68,8 +69,9 @@ class SimulatedRobot {
   void Advance(double time_s);
   // What has reached the host since last asked.
   std::vector<uint8_t> Transmit(DeviceId device);
-  // How long a camera exposes from its next frame on. It takes fewer frames a second if they would
-  // not leave time to read them out. Needs 1 ms to 2 s.
+  // How long a camera exposes. As in a real one, the frame that is being taken and the next keep
+  // the exposure before; the length is the nearest from 0.1 ms to 2 s. It takes fewer frames a
+  // second if they would not leave time to read them out.
   void SetExposure(CameraId camera, double exposure_s);
   // Exposures that have ended since last asked.
   std::vector<Exposure> TakeExposures();
@@ -89,9 +91,11 @@ class SimulatedRobot {
   struct Shutter {
     CameraId camera;
     double focal_px;
-    int64_t made_period_steps, made_exposure_steps;
-    int64_t asked_exposure_steps;  // of the next frame
-    int64_t exposure_steps;        // of this one
+    int64_t made_period_steps;
+    double made_exposure_s;
+    double asked_exposure_s;  // of the frame after the next
+    double next_exposure_s;   // of the next one
+    int64_t exposure_steps;   // of this one
     int64_t next_start_step;
     int64_t start_step = 0;
     int64_t seq = 0;  // of this frame; 0: before the first

@@ -1,5 +1,6 @@
 #include "procs/simulator/frame_publisher.h"
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,6 +10,7 @@
 #include <zmq.hpp>
 
 #include "base/time.h"
+#include "procs/simulator/camera_request.h"
 
 namespace geon::simulator {
 namespace {
@@ -35,16 +37,6 @@ struct FramePublisher::Sockets {
   std::vector<std::filesystem::path> files;
   std::vector<zmq::socket_t> publishers;
   std::array<int, sim::kCameras.size()> subscribers{};
-
-  // Reads the joining and leaving of subscribers; true while there are some.
-  bool HasSubscribers(size_t camera) {
-    zmq::message_t message;
-    while (publishers[camera].recv(message, zmq::recv_flags::dontwait)) {
-      if (message.empty()) continue;
-      subscribers[camera] += *static_cast<const char*>(message.data()) == 1 ? 1 : -1;
-    }
-    return subscribers[camera] > 0;
-  }
 };
 
 Result<std::unique_ptr<FramePublisher>> FramePublisher::Open(
@@ -60,6 +52,7 @@ Result<std::unique_ptr<FramePublisher>> FramePublisher::Open(
                  2);  // a slow reader loses frames instead of reading old ones
       // Every joining and leaving is told, not only the first and the last.
       socket.set(zmq::sockopt::xpub_verboser, 1);
+      socket.set(zmq::sockopt::maxmsgsize, int64_t{1024});  // of what clients send
       socket.bind(address);
       sockets->publishers.push_back(std::move(socket));
       sockets->files.push_back(file);
@@ -122,10 +115,33 @@ void FramePublisher::Run() {
       turn = static_cast<size_t>(next->camera) + 1;
       Send(*next);
     }
-    for (size_t camera = 0; camera < wanted_.size(); ++camera) {
-      wanted_[camera] = sockets_->HasSubscribers(camera);
+    for (size_t camera = 0; camera < wanted_.size(); ++camera) Listen(camera);
+  }
+}
+
+// Reads what comes from the subscribers: that they join (1) or leave (0), and requests.
+void FramePublisher::Listen(size_t camera) {
+  int& subscribers = sockets_->subscribers[camera];
+  zmq::message_t message;
+  bool is_rest = false;  // of a message of several parts: no request
+  while (sockets_->publishers[camera].recv(message, zmq::recv_flags::dontwait)) {
+    const bool in_parts = std::exchange(is_rest, message.more()) || message.more();
+    if (message.empty()) continue;
+    const auto* bytes = message.data<uint8_t>();
+    if (bytes[0] <= 1) {
+      subscribers = std::max(0, subscribers + (bytes[0] == 1 ? 1 : -1));
+    } else if (const auto exposure_s = ParseExposureRequest({bytes, message.size()});
+               exposure_s.ok() && !in_parts) {
+      const std::lock_guard lock(mutex_);
+      asked_exposure_s_[camera] = *exposure_s;
     }
   }
+  wanted_[camera] = subscribers > 0;
+}
+
+std::optional<double> FramePublisher::TakeExposureRequest(sim::CameraId camera) {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(asked_exposure_s_[static_cast<size_t>(camera)], std::nullopt);
 }
 
 void FramePublisher::Send(const sim::Exposure& exposure) {
@@ -136,7 +152,7 @@ void FramePublisher::Send(const sim::Exposure& exposure) {
       {"width", frame.width_px},
       {"height", frame.height_px},
       {"format", frame.channels == 1 ? "gray8" : "bgr8"},
-      {"exposure_us", MicrosecondsFromSeconds(exposure.end_s - exposure.start_s)}};
+      {"exposure_us", MicrosecondsFromSeconds(exposure.exposure_s)}};
   zmq::socket_t& socket = sockets_->publishers[static_cast<size_t>(exposure.camera)];
   socket.send(zmq::buffer(header.dump()), zmq::send_flags::sndmore | zmq::send_flags::dontwait);
   socket.send(zmq::buffer(frame.pixels), zmq::send_flags::dontwait);

@@ -57,6 +57,10 @@ void Simulator::Serve(double time_s) {
     if (input.opened) robot_->PortOpened(device);
     robot_->Receive(device, input.bytes);
   }
+  for (const sim::CameraId camera : sim::kCameras) {
+    const std::optional<double> exposure_s = frames_->TakeExposureRequest(camera);
+    if (exposure_s) robot_->SetExposure(camera, *exposure_s);
+  }
   // Step by step, so that the truth misses nothing when this process was kept waiting.
   while (robot_->time_s() + sim::SimulatedRobot::kStep_s <= time_s) {
     robot_->Advance(robot_->time_s() + sim::SimulatedRobot::kStep_s);

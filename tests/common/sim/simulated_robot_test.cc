@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/angles.h"
+#include "base/contracts.h"
 #include "tests/common/sim/scene_testing.h"
 
 namespace geon::sim {
@@ -118,10 +119,13 @@ TEST(SimulatedRobotTest, ALongerExposureIsBrighterAndTakesItsTime) {
   robot->SetExposure(CameraId::kHeadBw, 0.250);
   Say(robot.get(), DeviceId::kLasers, "M71T1\n");
   robot->Advance(2.0);
-  const auto bw = Of(CameraId::kHeadBw, robot->TakeExposures());
-  ASSERT_GE(bw.size(), 5u);
+  auto bw = Of(CameraId::kHeadBw, robot->TakeExposures());
+  ASSERT_GE(bw.size(), 6u);
+  EXPECT_EQ(bw[0].exposure_1, 1.0) << "the next frame was asked for before";
+  bw.erase(bw.begin());
   for (const Exposure& exposure : bw) {
     EXPECT_NEAR(exposure.end_s - exposure.start_s, 0.250, 1e-9);
+    EXPECT_EQ(exposure.exposure_s, 0.250);
     EXPECT_DOUBLE_EQ(exposure.exposure_1, 25.0);
   }
   EXPECT_NEAR(bw[2].start_s - bw[1].start_s, 0.278, 0.0011);  // a tenth of it to read out
@@ -130,6 +134,20 @@ TEST(SimulatedRobotTest, ALongerExposureIsBrighterAndTakesItsTime) {
   robot->SetExposure(CameraId::kHeadBw, 0.010);
   robot->Advance(3.0);
   EXPECT_DOUBLE_EQ(robot->TakeExposures().back().exposure_1, 1.0);
+}
+
+TEST(SimulatedRobotTest, AnExposureNoCameraHasBecomesTheNearest) {
+  const auto robot = MakeRobot();
+  robot->SetExposure(CameraId::kHeadColor, 1e-9);
+  robot->SetExposure(CameraId::kHeadBw, 1e9);
+  robot->SetExposure(CameraId::kFloorColor, 0.0023);  // no whole number of steps
+  robot->Advance(6.0);
+  const auto exposures = robot->TakeExposures();
+  EXPECT_EQ(Of(CameraId::kHeadColor, exposures).back().exposure_s, 0.0001);
+  EXPECT_EQ(Of(CameraId::kHeadBw, exposures).back().exposure_s, 2.0);
+  EXPECT_EQ(Of(CameraId::kFloorColor, exposures).back().exposure_s, 0.0023);
+  EXPECT_DOUBLE_EQ(Of(CameraId::kFloorColor, exposures).back().exposure_1, 0.115);
+  EXPECT_THROW(robot->SetExposure(CameraId::kHeadColor, 0.0), ContractViolation);
 }
 
 TEST(SimulatedRobotTest, StartsWhereTheWorldSays) {

@@ -116,6 +116,35 @@ TEST_F(SimulatorTest, FramesComeInTwoPartsToThoseWhoSubscribe) {
   }
 }
 
+TEST_F(SimulatorTest, ACameraTakesTheExposureAskedForOverItsSocket) {
+  zmq::context_t context(1);
+  zmq::socket_t socket(context, zmq::socket_type::xsub);
+  socket.set(zmq::sockopt::rcvtimeo, 20000);
+  socket.connect("ipc://" + (run_directory_ / "floor_color.frames").string());
+  const auto say = [&socket](const std::string& bytes, bool more = false) {
+    socket.send(zmq::buffer(bytes), more ? zmq::send_flags::sndmore : zmq::send_flags::none);
+  };
+  const auto next_exposure_us = [&socket] {
+    zmq::message_t header, pixels;
+    EXPECT_TRUE(socket.recv(header) && socket.recv(pixels));
+    return nlohmann::json::parse(header.to_string())["exposure_us"].get<int64_t>();
+  };
+  say("\x01");
+  const int64_t usual_us = next_exposure_us();
+  for (const char* nonsense : {"", "exposure_us", "{\"exposure_us\":-1}", "{}", "\xff\xfe"}) {
+    say(nonsense);
+  }
+  say("{\"exposure_us\":3000}", true);
+  say("of several parts");
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(next_exposure_us(), usual_us);
+  say("{\"exposure_us\":5000}");
+  int frames = 1;
+  while (next_exposure_us() == usual_us && frames < 20) ++frames;
+  EXPECT_GT(frames, 1) << "no camera changes the frame it is taking";
+  EXPECT_LT(frames, 20);
+  EXPECT_EQ(next_exposure_us(), 5000);
+}
+
 TEST_F(SimulatorTest, LeavesNothingButTheTruthBehind) {
   for (const char* name : {"ptu.tty", "base.tty", "lasers.tty"}) {
     EXPECT_TRUE(std::filesystem::is_symlink(run_directory_ / name)) << name;
