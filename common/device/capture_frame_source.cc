@@ -3,6 +3,7 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -87,10 +88,18 @@ struct CaptureFrameSource::Shared {
   std::optional<sensor::Image> newest;
   int64_t grabbed = 0;  // frames since opened, dropped ones included
   std::string trouble;
+  std::string refused;  // controls that the camera does not take
+  std::optional<double> asked_exposure_s;
+
+  // The thread's own: as the camera had it when last asked, and before.
+  std::optional<double> exposure_s, exposure_before_s;
 
   ~Shared() { close(event_fd); }
   void Run();
-  Status Open(cv::VideoCapture* capture) const;
+  Status Open(cv::VideoCapture* capture);
+  void Control(const CameraControls& controls);
+  void ControlAsAsked();
+  int64_t ExposureStart(cv::VideoCapture* capture, bool* stamped) const;
   Status Drain(cv::VideoCapture* capture);
   bool Stopped() {
     const std::lock_guard lock(mutex);
@@ -102,7 +111,7 @@ struct CaptureFrameSource::Shared {
   }
 };
 
-Status CaptureFrameSource::Shared::Open(cv::VideoCapture* capture) const {
+Status CaptureFrameSource::Shared::Open(cv::VideoCapture* capture) {
   if (!capture->open(target, Backend(kind))) return Status::Error("it does not open");
   if (kind != Kind::kV4l2) return Status::Ok();
   capture->set(cv::CAP_PROP_BUFFERSIZE, 1);
@@ -110,13 +119,33 @@ Status CaptureFrameSource::Shared::Open(cv::VideoCapture* capture) const {
   capture->set(cv::CAP_PROP_FRAME_HEIGHT, options.height_px);
   // Some cameras forget their controls when the stream starts: the first frame, then the controls.
   if (!capture->grab()) return Status::Error("it delivers no first frame");
-  return ApplyControls(options.controls, target);
+  Control(options.controls);
+  return Status::Ok();
 }
 
-// Start of the exposure of the frame just grabbed: what the stamp says, less the exposure and the
-// delay a stamp may have.
-static int64_t ExposureStart(cv::VideoCapture* capture, Kind kind,
-                             const FrameSourceOptions& options, bool* stamped) {
+// A camera that refuses a control still delivers frames: it is told, and they are used.
+void CaptureFrameSource::Shared::Control(const CameraControls& controls) {
+  const Status status = ApplyControls(controls, target);
+  exposure_before_s = exposure_s;
+  exposure_s = ReadExposure(target);
+  const std::lock_guard lock(mutex);
+  refused = status.message();
+}
+
+void CaptureFrameSource::Shared::ControlAsAsked() {
+  CameraControls controls = options.controls;
+  {
+    const std::lock_guard lock(mutex);
+    if (!asked_exposure_s) return;
+    controls.exposure_s = std::exchange(asked_exposure_s, std::nullopt);
+  }
+  Control(controls);
+}
+
+// Start of the exposure of the frame just grabbed: what the stamp says, less the exposure (the
+// longer one, as long as frames may come that were taken before it was changed) and the delay a
+// stamp may have.
+int64_t CaptureFrameSource::Shared::ExposureStart(cv::VideoCapture* capture, bool* stamped) const {
   const int64_t now_utime = Microseconds<SystemClock>();
   if (IsFile(kind)) {
     *stamped = false;
@@ -135,7 +164,9 @@ static int64_t ExposureStart(cv::VideoCapture* capture, Kind kind,
       delay_s = options.stamp_delay_s;
     }
   }
-  return utime - MicrosecondsFromSeconds(options.controls.exposure_s.value_or(0.0) + delay_s);
+  const double longest_s = std::max(exposure_s.value_or(options.controls.exposure_s.value_or(0.0)),
+                                    exposure_before_s.value_or(0.0));
+  return utime - MicrosecondsFromSeconds(longest_s + delay_s);
 }
 
 Status CaptureFrameSource::Shared::Drain(cv::VideoCapture* capture) {
@@ -147,11 +178,12 @@ Status CaptureFrameSource::Shared::Drain(cv::VideoCapture* capture) {
       next_file_frame += std::chrono::duration_cast<SteadyClock::duration>(
           std::chrono::duration<double>(1.0 / options.file_rate_hz));
     }
+    ControlAsAsked();
     if (!capture->grab()) {
       return IsFile(kind) ? Status::Ok() : Status::Error("it delivers no more frames");
     }
     bool stamped = false;
-    const int64_t utime = ExposureStart(capture, kind, options, &stamped);
+    const int64_t utime = ExposureStart(capture, &stamped);
     cv::Mat frame;
     if (!capture->retrieve(frame) || frame.empty()) return Status::Error("a frame without pixels");
     Result<sensor::Image> image = ToImage(frame, options);
@@ -164,6 +196,7 @@ Status CaptureFrameSource::Shared::Drain(cv::VideoCapture* capture) {
       continue;
     }
     image->utime = utime;
+    image->exposure_s = exposure_s;
     newest = std::move(*image);
     ++grabbed;
     trouble.clear();
@@ -249,6 +282,7 @@ Result<std::optional<sensor::Image>> CaptureFrameSource::Poll(double time_s) {
     image = std::exchange(shared_->newest, std::nullopt);
     ended = shared_->ended;
     trouble_ = shared_->trouble;
+    refused_ = shared_->refused;
     if (image) image->seq = seq_ + static_cast<int32_t>(shared_->grabbed);
     if (ended) seq_ += static_cast<int32_t>(shared_->grabbed);
   }
@@ -267,6 +301,19 @@ Result<std::optional<sensor::Image>> CaptureFrameSource::Poll(double time_s) {
     if (!image) return Status::Error(target_ + ": " + trouble_);
   }
   return image;
+}
+
+Status CaptureFrameSource::SetExposure(double exposure_s) {
+  Require(exposure_s > 0.0, "SetExposure: exposure_s must be positive");
+  if (kind_ != Kind::kV4l2) {
+    return Status::Error(target_ + ": frames of this kind of source keep their exposure");
+  }
+  options_.controls.exposure_s = exposure_s;  // also of the camera when it is opened again
+  if (shared_) {
+    const std::lock_guard lock(shared_->mutex);
+    shared_->asked_exposure_s = exposure_s;
+  }
+  return Status::Ok();
 }
 
 }  // namespace geon::device

@@ -23,6 +23,8 @@ class CaptureFrameSource : public FrameSource {
   int file_descriptor() const override { return event_fd_; }
   Result<std::optional<sensor::Image>> Poll(double time_s) override;
   int reconnects() const override { return reconnects_; }
+  Status SetExposure(double exposure_s) override;
+  std::string refused() const override { return refused_; }
 
  private:
   struct Shared;  // between Poll and one drain thread
@@ -38,6 +40,7 @@ class CaptureFrameSource : public FrameSource {
   BackOff back_off_;
   double last_frame_s_ = 0.0;
   std::string trouble_;
+  std::string refused_;
   bool delivered_ = false;  // since it was last opened
   bool ever_delivered_ = false;
   int reconnects_ = 0;

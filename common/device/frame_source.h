@@ -42,6 +42,12 @@ class FrameSource {
   // why; it is being reopened, go on polling.
   virtual Result<std::optional<sensor::Image>> Poll(double time_s) = 0;
   virtual int reconnects() const = 0;
+  // Asks for frames taken with another exposure; some taken before may still come. What the camera
+  // really takes is said by the frames (v4l2: as last read back, so that the first frames after a
+  // change may say it too early). Error: this kind of source cannot change it.
+  virtual Status SetExposure(double exposure_s) = 0;
+  // Controls that the camera refuses while it delivers frames all the same; empty: none.
+  virtual std::string refused() const { return {}; }
 };
 
 // Errors: a source text that is none. A device that is not there is not one: it may come.

@@ -3,12 +3,14 @@
 #include <zmq.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/contracts.h"
+#include "base/time.h"
 #include "device/frame_message.h"
 
 namespace geon::device {
@@ -39,14 +41,15 @@ class Part {
 
 struct SocketFrameSource::Socket {
   explicit Socket(const std::string& endpoint) : context(zmq_ctx_new()) {
-    socket = zmq_socket(context, ZMQ_SUB);
-    const int few_frames = 4;  // a busy daemon wants the newest, not a queue
+    socket = zmq_socket(context, ZMQ_XSUB);  // subscribes, and can speak to the publisher
+    const int few_frames = 4;                // a busy daemon wants the newest, not a queue
     const int no_linger = 0;
     zmq_setsockopt(socket, ZMQ_RCVHWM, &few_frames, sizeof(few_frames));
     zmq_setsockopt(socket, ZMQ_LINGER, &no_linger, sizeof(no_linger));
-    zmq_setsockopt(socket, ZMQ_SUBSCRIBE, "", 0);
     Require(zmq_connect(socket, endpoint.c_str()) == 0,
             "no ZeroMQ endpoint: " + endpoint + ": " + zmq_strerror(zmq_errno()));
+    const char subscribe_to_all = 1;
+    zmq_send(socket, &subscribe_to_all, 1, ZMQ_DONTWAIT);
   }
   ~Socket() {
     zmq_close(socket);
@@ -72,6 +75,7 @@ int SocketFrameSource::file_descriptor() const {
 
 Result<std::optional<sensor::Image>> SocketFrameSource::Poll(double time_s) {
   if (!last_frame_s_) last_frame_s_ = time_s;  // the wait for the first frame begins
+  SendRequest();
   std::optional<sensor::Image> newest;
   Status trouble;
   // The descriptor tells edges, not levels: everything must be taken out each time.
@@ -102,6 +106,22 @@ Result<std::optional<sensor::Image>> SocketFrameSource::Poll(double time_s) {
   return Status::Error(endpoint_ + ": no fresh frame for " +
                        std::to_string(std::lround(1e3 * options_.timeout_s)) + " ms" +
                        (trouble.ok() ? "" : " (" + trouble.message() + ")"));
+}
+
+Status SocketFrameSource::SetExposure(double exposure_s) {
+  Require(exposure_s > 0.0, "SetExposure: exposure_s must be positive");
+  asked_exposure_s_ = exposure_s;
+  return Status::Ok();
+}
+
+// Before frames are taken out, since sending may swallow the descriptor's edge. A request that
+// finds no publisher is lost; the frames of the one that comes say so.
+void SocketFrameSource::SendRequest() {
+  if (!asked_exposure_s_) return;
+  const std::string request =
+      nlohmann::json{{"exposure_us", MicrosecondsFromSeconds(*asked_exposure_s_)}}.dump();
+  zmq_send(socket_->socket, request.data(), request.size(), ZMQ_DONTWAIT);
+  asked_exposure_s_.reset();
 }
 
 Result<std::optional<sensor::Image>> SocketFrameSource::ReceiveOne() {

@@ -22,14 +22,19 @@ std::string Named(const ControlSetting& setting, int32_t value) {
   return std::string(setting.name) + " = " + std::to_string(value);
 }
 
+v4l2_ext_controls Only(v4l2_ext_control* control) {
+  v4l2_ext_controls controls{};
+  controls.which = V4L2_CTRL_WHICH_CUR_VAL;
+  controls.count = 1;
+  controls.controls = control;
+  return controls;
+}
+
 Status ApplyControl(const ControlSetting& setting, const Ioctl& device_ioctl) {
   v4l2_ext_control control{};
   control.id = setting.id;
   control.value = setting.value;
-  v4l2_ext_controls controls{};
-  controls.which = V4L2_CTRL_WHICH_CUR_VAL;
-  controls.count = 1;
-  controls.controls = &control;
+  v4l2_ext_controls controls = Only(&control);
   if (device_ioctl(VIDIOC_S_EXT_CTRLS, &controls) != 0) {
     if (!setting.required) return Status::Ok();
     return Status::Error("the camera refuses " + Named(setting, setting.value) + ": " +
@@ -46,6 +51,26 @@ Status ApplyControl(const ControlSetting& setting, const Ioctl& device_ioctl) {
   }
   return Status::Ok();
 }
+
+class DeviceFile {
+ public:
+  explicit DeviceFile(const std::string& device)
+      : fd_(open(device.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC)) {}
+  ~DeviceFile() {
+    if (is_open()) close(fd_);
+  }
+  DeviceFile(const DeviceFile&) = delete;
+  DeviceFile& operator=(const DeviceFile&) = delete;
+  bool is_open() const { return fd_ >= 0; }
+  Ioctl ioctl() const {
+    return [fd = fd_](unsigned long request, void* argument) {
+      return ::ioctl(fd, request, argument);
+    };
+  }
+
+ private:
+  int fd_;
+};
 
 }  // namespace
 
@@ -80,20 +105,31 @@ std::vector<ControlSetting> ControlSettings(const CameraControls& controls) {
 }
 
 Status ApplyControls(const std::vector<ControlSetting>& settings, const Ioctl& device_ioctl) {
+  std::string refused;
   for (const ControlSetting& setting : settings) {
-    if (Status status = ApplyControl(setting, device_ioctl); !status.ok()) return status;
+    const Status status = ApplyControl(setting, device_ioctl);
+    if (!status.ok()) refused += (refused.empty() ? "" : "; ") + status.message();
   }
-  return Status::Ok();
+  return refused.empty() ? Status::Ok() : Status::Error(refused);
 }
 
 Status ApplyControls(const CameraControls& controls, const std::string& device) {
-  const int fd = open(device.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
-  if (fd < 0) return Status::Error(device + ": " + std::strerror(errno));
-  const Status status = ApplyControls(
-      ControlSettings(controls),
-      [fd](unsigned long request, void* argument) { return ioctl(fd, request, argument); });
-  close(fd);
-  return status.In(device);
+  const DeviceFile file(device);
+  if (!file.is_open()) return Status::Error(device + ": " + std::strerror(errno));
+  return ApplyControls(ControlSettings(controls), file.ioctl()).In(device);
+}
+
+std::optional<double> ReadExposure(const Ioctl& device_ioctl) {
+  v4l2_ext_control control{};
+  control.id = V4L2_CID_EXPOSURE_ABSOLUTE;
+  v4l2_ext_controls controls = Only(&control);
+  if (device_ioctl(VIDIOC_G_EXT_CTRLS, &controls) != 0 || control.value <= 0) return std::nullopt;
+  return 1e-4 * control.value;
+}
+
+std::optional<double> ReadExposure(const std::string& device) {
+  const DeviceFile file(device);
+  return file.is_open() ? ReadExposure(file.ioctl()) : std::nullopt;
 }
 
 }  // namespace geon::device

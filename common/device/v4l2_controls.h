@@ -33,10 +33,14 @@ std::vector<ControlSetting> ControlSettings(const CameraControls& controls);
 // ioctl(2) on the device: request and argument, 0 or -1 with errno.
 using Ioctl = std::function<int(unsigned long request, void* argument)>;
 
-// Writes each control and reads it back. Error: one that is missing, refused or not what was
-// written.
+// Writes each control and reads it back. Error: all that are missing, refused or not what was
+// written; the others are written all the same.
 Status ApplyControls(const std::vector<ControlSetting>& settings, const Ioctl& device_ioctl);
 // The same on a device file.
 Status ApplyControls(const CameraControls& controls, const std::string& device);
+
+// The exposure as the camera has it; nothing when it does not say.
+std::optional<double> ReadExposure(const Ioctl& device_ioctl);
+std::optional<double> ReadExposure(const std::string& device);
 
 }  // namespace geon::device

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "base/time.h"
+#include "messaging/channels.h"
 #include "messaging/clock.h"
+#include "sensor/laser_state.h"
 
 namespace geon::color_camera {
 namespace {
@@ -32,6 +34,10 @@ ColorCameraNode::ColorCameraNode(const ColorCameraConfig& config, std::string_vi
                                  std::unique_ptr<device::FrameSource> source, messaging::Bus* bus,
                                  messaging::PollLoop* loop, messaging::HealthReporter* health)
     : config_(config), channel_(channel), source_(std::move(source)), bus_(bus), health_(health) {
+  if (config.exposure) {
+    exposure_.emplace(*config.exposure);
+    FollowLasers(loop);
+  }
   loop->Watch(source_->file_descriptor(), [this] { PollSource(); });
   loop->Every(kPollPeriod_s, [this] { PollSource(); });
 }
@@ -46,7 +52,7 @@ void ColorCameraNode::PollSource() {
     return;
   }
   if (!frame->has_value()) return;
-  health_->SetLevel(sensor::HealthLevel::kOk);
+  ReportHealth();
   // By the frames' own stamps, with slack for their jitter. A clock set back does not stop the
   // stream.
   const int64_t utime = (*frame)->utime;
@@ -54,7 +60,40 @@ void ColorCameraNode::PollSource() {
   const int64_t since_us = utime - last_utime_;
   if (since_us >= 0 && since_us < period_us - period_us / 10) return;
   last_utime_ = utime;
+  ControlExposure(**frame);
   Publish(std::move(**frame));
+}
+
+// A stripe outshines the target it lies on.
+void ColorCameraNode::FollowLasers(messaging::PollLoop* loop) {
+  bus_->Subscribe<sensor::LaserState>(
+      messaging::kLaserState, [this](const sensor::LaserState& lasers) {
+        const bool burned = std::exchange(laser_burns_, lasers.laser != sensor::Laser::kNone);
+        if (burned || laser_burns_) dark_from_utime_ = messaging::Utime();
+      });
+  loop->Watch(bus_->file_descriptor(), [bus = bus_] { bus->HandlePending(); });
+}
+
+void ColorCameraNode::ControlExposure(const sensor::Image& image) {
+  if (!exposure_ || laser_burns_ || image.utime < dark_from_utime_) return;
+  const std::optional<double> exposure_s = exposure_->Judge(image);
+  if (!exposure_s) return;
+  const Status status = source_->SetExposure(*exposure_s);
+  if (status.ok()) {
+    spdlog::info("another exposure is asked for exposure_ms={:.2f}", 1e3 * *exposure_s);
+    return;
+  }
+  exposure_trouble_ = status.In("the exposure stays as it is").message();
+  exposure_.reset();
+}
+
+void ColorCameraNode::ReportHealth() {
+  std::string warning = source_->refused();
+  if (!exposure_trouble_.empty()) warning += (warning.empty() ? "" : "; ") + exposure_trouble_;
+  health_->SetLevel(warning.empty() ? sensor::HealthLevel::kOk : sensor::HealthLevel::kWarn,
+                    warning);
+  if (warning != warned_ && !warning.empty()) spdlog::warn("camera: {}", warning);
+  warned_ = warning;
 }
 
 void ColorCameraNode::Publish(sensor::Image image) {

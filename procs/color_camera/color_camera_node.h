@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "device/frame_source.h"
@@ -12,8 +13,10 @@
 
 namespace geon::color_camera {
 
-// Carries the newest frame of one camera to one channel. The published images are numbered anew, so
-// that a hole in seq is a loss on the bus; utime is the camera's.
+// Carries the newest frame of one camera to one channel, and sets the camera's exposure by what the
+// frames show where the configuration says so; frames in which a laser may have burned do not
+// count. The published images are numbered anew, so that a hole in seq is a loss on the bus; utime
+// is the camera's.
 class ColorCameraNode {
  public:
   ColorCameraNode(const ColorCameraConfig& config, std::string_view channel,
@@ -22,6 +25,9 @@ class ColorCameraNode {
 
  private:
   void PollSource();
+  void FollowLasers(messaging::PollLoop* loop);
+  void ControlExposure(const sensor::Image& image);
+  void ReportHealth();
   void Publish(sensor::Image image);
 
   ColorCameraConfig config_;
@@ -30,6 +36,11 @@ class ColorCameraNode {
   messaging::Bus* bus_;
   messaging::HealthReporter* health_;
   messaging::RateLimiter troubles_;
+  std::optional<ExposureControl> exposure_;
+  std::string exposure_trouble_;
+  bool laser_burns_ = false;
+  int64_t dark_from_utime_ = 0;  // since then no laser has burned
+  std::string warned_;
   int64_t last_utime_ = 0;
   int32_t seq_ = 0;
 };

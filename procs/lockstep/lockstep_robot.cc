@@ -24,6 +24,7 @@ sensor::Image Taken(const sim::Exposure& exposure, sim::RigRenderer* renderer) {
   sensor::Image image = ImageOf(sim::Develop(exposure, renderer));
   image.seq = static_cast<int32_t>(exposure.seq);
   image.utime = kStart_utime + MicrosecondsFromSeconds(exposure.start_s);
+  image.exposure_s = exposure.exposure_s;
   return image;
 }
 
@@ -52,6 +53,7 @@ LockstepRobot::LockstepRobot(const LockstepSettings& settings,
       assembler_(settings.rig, calibration, settings.recognizer.assembler),
       mission_(std::make_unique<mission::Mission>(settings.mission, settings.rig, kStart_utime,
                                                   time_s_)) {
+  if (settings.color_camera.exposure) exposure_.emplace(*settings.color_camera.exposure);
   for (const DeviceId device : sim::kDevices) simulated_->PortOpened(device);
   ptu_.Connected(time_s_);
   base_.Connected(time_s_);
@@ -149,9 +151,7 @@ void LockstepRobot::Deliver(const sim::Exposure& exposure) {
       }
       return;
     case sim::CameraId::kHeadColor:
-      if (!scanning) {
-        mission_->senses()->TakeHeadImage(time_s_, Taken(exposure, &renderer_));
-      }
+      if (!scanning) TakeHeadImage(Taken(exposure, &renderer_));
       return;
     case sim::CameraId::kFloorColor:
       if (!scanning) {
@@ -159,6 +159,12 @@ void LockstepRobot::Deliver(const sim::Exposure& exposure) {
       }
       return;
   }
+}
+
+void LockstepRobot::TakeHeadImage(sensor::Image image) {
+  const auto asked_s = exposure_ ? exposure_->Judge(image) : std::nullopt;
+  if (asked_s) simulated_->SetExposure(sim::CameraId::kHeadColor, *asked_s);
+  mission_->senses()->TakeHeadImage(time_s_, std::move(image));
 }
 
 void LockstepRobot::TurnPlanner() { Obey(mission_->Step(time_s_)); }

@@ -11,6 +11,7 @@
 #include "device/ptu_driver.h"
 #include "mission/mission.h"
 #include "procs/base/base_control.h"
+#include "procs/color_camera/exposure_control.h"
 #include "procs/lockstep/lockstep_settings.h"
 #include "procs/recognizer/scan_assembler.h"
 #include "procs/stripe_camera/stripe_capture.h"
@@ -63,6 +64,7 @@ class LockstepRobot {
   void TakeStripe(sensor::Stripe stripe);
   void TurnCameras();
   void Deliver(const sim::Exposure& exposure);
+  void TakeHeadImage(sensor::Image image);
   void TurnPlanner();
   void Obey(const mission::Wishes& wishes);
 
@@ -78,6 +80,7 @@ class LockstepRobot {
   base::BaseControl base_;
   device::LaserDriver lasers_;
   sensor::LaserState laser_state_;
+  std::optional<color_camera::ExposureControl> exposure_;
   stripe_camera::StripeCapture capture_;
   int32_t stripe_seq_ = 0;
   recognizer::ScanAssembler assembler_;

@@ -9,7 +9,7 @@ namespace geon::lockstep {
 Result<LockstepSettings> LoadLockstepSettings(const std::filesystem::path& robot_file,
                                               const std::filesystem::path& sim_file) {
   Result<config::YamlDocument> document = config::LoadRobotFile(
-      robot_file, {"rig", "ptu", "base", "stripe_camera", "planner", "recognizer"});
+      robot_file, {"rig", "color_camera", "ptu", "base", "stripe_camera", "planner", "recognizer"});
   if (!document.ok()) return document.status();
   config::YamlSection root = document->root();
   LockstepSettings settings;
@@ -18,11 +18,16 @@ Result<LockstepSettings> LoadLockstepSettings(const std::filesystem::path& robot
   settings.rig = rig.rig;
   ptu::ReadPtuSection(root.Child("ptu"), &settings.ptu);
   base::ReadBaseSection(root.Child("base"), &settings.base);
+  color_camera::ReadColorCameraSection(root.Child("color_camera"), color_camera::Role::kHead,
+                                       settings.rig, &settings.color_camera);
   stripe_camera::ReadStripeCameraSection(root.Child("stripe_camera"), settings.rig,
                                          &settings.stripe_camera);
   planner::ReadPlannerSection(root.Child("planner"), robot_file, &settings.mission);
   recognizer::ReadRecognizerSection(root.Child("recognizer"), &settings.recognizer);
   if (Status status = document->Finish(); !status.ok()) return status;
+  if (settings.color_camera.exposure) {
+    settings.color_camera.exposure->target_color = settings.mission.seeing.target_color;
+  }
   settings.recognizer.rig = rig.rig;
   settings.recognizer.rig_source = rig.source;
   settings.recognizer.calibration_dir =

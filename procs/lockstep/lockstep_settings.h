@@ -4,6 +4,7 @@
 
 #include "mission/mission_options.h"
 #include "procs/base/base_config.h"
+#include "procs/color_camera/color_camera_config.h"
 #include "procs/ptu/ptu_config.h"
 #include "procs/recognizer/recognizer_config.h"
 #include "procs/stripe_camera/stripe_camera_config.h"
@@ -17,6 +18,7 @@ struct LockstepSettings {
   geometry::SensorRig rig;        // what the programs work with
   ptu::PtuConfig ptu;
   base::BaseConfig base;
+  color_camera::ColorCameraConfig color_camera;
   stripe_camera::StripeCameraConfig stripe_camera;
   mission::MissionOptions mission;
   recognizer::RecognizerConfig recognizer;

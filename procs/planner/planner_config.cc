@@ -3,33 +3,18 @@
 #include <array>
 #include <filesystem>
 
-#include "attention/color_model_text.h"
 #include "base/angles.h"
 #include "config/bus_config.h"
 #include "config/rig_config.h"
-#include "config/text_file.h"
+#include "procs/color_camera/target_color.h"
 
 namespace geon::planner {
 
 namespace {
 
-Result<attention::ColorModel> LoadColor(const std::string& name_or_file,
-                                        const std::filesystem::path& robot_file) {
-  if (auto named = attention::NamedColorModel(name_or_file)) return *named;
-  const std::filesystem::path file = robot_file.parent_path() / name_or_file;
-  const Result<std::string> text = config::ReadFile(file);
-  if (!text.ok()) return text.status();
-  return attention::ParseColorModel(*text, file.string());
-}
-
 void ReadColor(config::YamlSection section, const std::filesystem::path& robot_file,
                mission::SeeingOptions* seeing) {
-  std::string target_color;
-  section.Read("target_color", &target_color);
-  const auto model = LoadColor(target_color, robot_file);
-  section.Check(model.ok(), "target_color",
-                "must be a colour model's name or file: " + model.message());
-  if (model.ok()) seeing->target_color = *model;
+  color_camera::ReadTargetColor(section, robot_file, &seeing->target_color);
   section.ReadOptional("min_target_pixels", &seeing->head.min_target_pixels);
   section.ReadOptional("min_target_pixels_floor_camera", &seeing->floor.min_target_pixels);
 }

@@ -150,6 +150,8 @@ void StripeCameraNode::ReportHealth() {
                       "lasers: " + report.text);
   } else if (!camera_trouble_.empty()) {
     health_->SetLevel(sensor::HealthLevel::kFault, camera_trouble_);
+  } else if (const std::string refused = source_->refused(); !refused.empty()) {
+    health_->SetLevel(sensor::HealthLevel::kWarn, refused);
   } else {
     health_->SetLevel(sensor::HealthLevel::kOk);
   }

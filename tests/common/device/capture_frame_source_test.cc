@@ -46,6 +46,14 @@ class CaptureFrameSourceTest : public testing::Test {
   FrameSourceOptions options_;
 };
 
+TEST_F(CaptureFrameSourceTest, OnlyACameraChangesItsExposure) {
+  CaptureFrameSource pictures(SourceKind::kImages, Pictures(), options_);
+  EXPECT_NE(pictures.SetExposure(0.01).message().find("keep their exposure"), std::string::npos);
+  EXPECT_FALSE(PollUntilSomething(&pictures).value()->exposure_s.has_value());
+  CaptureFrameSource camera(SourceKind::kV4l2, "/dev/there-is-no-camera", options_);
+  EXPECT_TRUE(camera.SetExposure(0.01).ok()) << "it may come";
+}
+
 TEST_F(CaptureFrameSourceTest, DeliversPicturesAgainAndAgain) {
   CaptureFrameSource source(SourceKind::kImages, Pictures(), options_);
   int32_t last_seq = 0;

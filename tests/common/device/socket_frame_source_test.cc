@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include <zmq.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,12 @@ class Publisher {
   void WaitForSubscriber() {
     char subscription[16];
     EXPECT_GT(zmq_recv(socket_, subscription, sizeof(subscription), 0), 0);
+  }
+  // Blocks until the source has asked for something.
+  std::string WaitForRequest() {
+    char request[64];
+    const int size = zmq_recv(socket_, request, sizeof(request), 0);
+    return {request, static_cast<size_t>(std::max(0, size))};
   }
   void Send(int seq, int64_t utime, int width = 4, const std::string& format = "gray8") {
     const std::string header = "{\"seq\":" + std::to_string(seq) +
@@ -83,6 +90,18 @@ TEST_F(SocketFrameSourceTest, DeliversAFrame) {
   EXPECT_EQ((*frame)->seq, 3);
   EXPECT_EQ((*frame)->utime, 1000);
   EXPECT_EQ((*frame)->data.size(), 8u);
+}
+
+TEST_F(SocketFrameSourceTest, AsksForAnExposureAndFramesComeOn) {
+  EXPECT_TRUE(source_->SetExposure(0.008).ok());
+  EXPECT_TRUE(source_->SetExposure(0.0125).ok());  // before it was sent: the newest counts
+  EXPECT_TRUE(source_->Poll(1.0).ok());
+  EXPECT_EQ(publisher_->WaitForRequest(), "{\"exposure_us\":12500}");
+  publisher_->Send(3, 1000);
+  const auto frame = PollUntilSomething();
+  ASSERT_TRUE(frame.ok()) << frame.message();
+  EXPECT_DOUBLE_EQ((*frame)->exposure_s.value(), 0.0001) << "as the frame says";
+  EXPECT_EQ(source_->refused(), "");
 }
 
 TEST_F(SocketFrameSourceTest, FramesThatRepeatOrDoNotFitAreRefused) {

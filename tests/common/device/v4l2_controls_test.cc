@@ -69,6 +69,30 @@ TEST(V4l2Controls, AMissingControlThatIsNeededIsAnError) {
   EXPECT_FALSE(ApplyControls(ControlSettings(Fixed()), camera.ioctl()).ok());
 }
 
+TEST(V4l2Controls, WhatIsRefusedKeepsNothingElseFromBeingWritten) {
+  FakeCamera camera;
+  camera.values.erase(V4L2_CID_EXPOSURE_ABSOLUTE);
+  CameraControls controls = Fixed();
+  controls.white_balance_k = 4000;
+  const Status status = ApplyControls(ControlSettings(controls), camera.ioctl());
+  EXPECT_EQ(camera.values[V4L2_CID_GAIN], 3);
+  for (const char* refused :
+       {"exposure (100 us) = 80", "auto white balance = 0: Invalid argument; ",
+        "white balance (K) = 4000: Invalid argument"}) {
+    EXPECT_NE(status.message().find(refused), std::string::npos) << status.message();
+  }
+}
+
+TEST(V4l2Controls, TheExposureIsReadAsTheCameraHasIt) {
+  FakeCamera camera;
+  camera.largest = 50;
+  (void)ApplyControls(ControlSettings(Fixed()), camera.ioctl());
+  EXPECT_DOUBLE_EQ(ReadExposure(camera.ioctl()).value(), 0.005);
+  camera.values.erase(V4L2_CID_EXPOSURE_ABSOLUTE);
+  EXPECT_FALSE(ReadExposure(camera.ioctl()).has_value());
+  EXPECT_FALSE(ReadExposure("/dev/there-is-no-camera").has_value());
+}
+
 TEST(V4l2Controls, UnsetControlsAreLeftAlone) { EXPECT_TRUE(ControlSettings({}).empty()); }
 
 TEST(V4l2Controls, WhiteBalanceAndPowerLineAreFixedToo) {

@@ -1,5 +1,6 @@
 #include "procs/color_camera/color_camera_config.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -42,6 +43,47 @@ TEST(ColorCameraConfig, TheInstalledFileIsGoodForBothCameras) {
   const auto floor = Load(InstalledFile(), Role::kFloor);
   ASSERT_TRUE(floor.ok()) << floor.message();
   EXPECT_EQ(floor->source.width_px, 320);
+}
+
+// The installed file with one text in place of another.
+std::string With(const std::string& good, const std::string& other) {
+  std::string text = InstalledFile();
+  EXPECT_NE(text.find(good), std::string::npos) << good;
+  return text.replace(text.find(good), good.size(), other);
+}
+
+TEST(ColorCameraConfig, TheHeadsExposureFollowsTheTargetUnlessFixed) {
+  const auto head = Load(InstalledFile(), Role::kHead);
+  ASSERT_TRUE(head.ok() && head->exposure.has_value()) << head.message();
+  EXPECT_EQ(head->exposure->target_color.name, "super-red");
+  EXPECT_EQ(head->exposure->first_exposure_s, 0.010);
+  EXPECT_EQ(head->exposure->law.most_exposure_s, 0.050);
+  EXPECT_FALSE(Load(InstalledFile(), Role::kFloor)->exposure.has_value());
+
+  const auto fixed = Load(With("exposure: target", "exposure: fixed"), Role::kHead);
+  ASSERT_TRUE(fixed.ok()) << fixed.message();
+  EXPECT_FALSE(fixed->exposure.has_value());
+  const auto silent = Load(With("  exposure: target\n", ""), Role::kHead);
+  EXPECT_TRUE(silent->exposure.has_value()) << silent.message();
+}
+
+TEST(ColorCameraConfig, BadExposuresAreRefusedByName) {
+  const auto message = [](const std::string& good, const std::string& bad) {
+    return Load(With(good, bad), Role::kHead).message();
+  };
+  EXPECT_THAT(message("exposure: target", "exposure: auto"),
+              testing::HasSubstr("'exposure' must be target or fixed"));
+  for (const char* range : {"[0.05, 0.0005]", "[0.0, 0.05]", "[0.05]", "0.05"}) {
+    EXPECT_THAT(message("[0.0005, 0.050]", range), testing::HasSubstr("exposure_range_s"));
+  }
+  EXPECT_THAT(message("target_color: super-red", "target_color: reddish"),
+              testing::HasSubstr("'target_color' must be"));
+  EXPECT_THAT(message("floor_camera:\n", "floor_camera:\n  exposure: target\n"), "")
+      << "the head's camera does not read the other's section";
+  EXPECT_THAT(Load(With("floor_camera:\n  source", "floor_camera:\n  exposure: target\n  source"),
+                   Role::kFloor)
+                  .message(),
+              testing::HasSubstr("exposure"));
 }
 
 TEST(ColorCameraConfig, FlagsWin) {

@@ -5,8 +5,11 @@
 #include <unistd.h>
 
 #include <deque>
+#include <functional>
+#include <utility>
 
 #include "messaging/channels.h"
+#include "sensor/laser_state.h"
 
 namespace geon::color_camera {
 namespace {
@@ -19,6 +22,7 @@ class PreparedFrames : public device::FrameSource {
   int file_descriptor() const override { return fd_; }
   Result<std::optional<sensor::Image>> Poll(double) override {
     if (frames.empty()) {
+      if (on_end) std::exchange(on_end, nullptr)();
       eventfd_t value = 0;
       eventfd_read(fd_, &value);
       return Status::Error("no more");
@@ -28,8 +32,12 @@ class PreparedFrames : public device::FrameSource {
     return frame;
   }
   int reconnects() const override { return 0; }
+  Status SetExposure(double) override { return Status::Error("pictures keep theirs"); }
+  std::string refused() const override { return refusal; }
 
   std::deque<sensor::Image> frames;
+  std::string refusal;
+  std::function<void()> on_end;  // called once, when the last frame has been dealt with
 
  private:
   int fd_;
@@ -47,9 +55,12 @@ sensor::Image Frame(int32_t seq, int64_t utime) {
   return image;
 }
 
-// What the node publishes of these frames.
+// What the node publishes of these frames; `level` becomes its health after the last.
 std::vector<sensor::Image> Carry(const ColorCameraConfig& config,
-                                 const std::vector<sensor::Image>& frames) {
+                                 const std::vector<sensor::Image>& frames,
+                                 const std::string& refusal = "",
+                                 sensor::HealthLevel* level = nullptr,
+                                 sensor::Laser laser = sensor::Laser::kNone) {
   messaging::BusOptions bus_options;
   bus_options.url = "memq://";
   auto bus = std::move(*messaging::Bus::Open(bus_options));
@@ -57,8 +68,16 @@ std::vector<sensor::Image> Carry(const ColorCameraConfig& config,
   messaging::HealthReporter health(bus.get(), &loop, {"geon-test", "", ""});
   auto source = std::make_unique<PreparedFrames>();
   source->frames.assign(frames.begin(), frames.end());
+  source->refusal = refusal;
+  source->on_end = [&] {
+    if (level != nullptr) *level = health.level();
+  };
   const ColorCameraNode node(config, messaging::kColorImage, std::move(source), bus.get(), &loop,
                              &health);
+  sensor::LaserState lasers;
+  lasers.laser = laser;
+  bus->Publish(messaging::kLaserState, lasers);
+  bus->HandlePending();
   std::vector<sensor::Image> published;
   bus->Subscribe<sensor::Image>(messaging::kColorImage,
                                 [&](const sensor::Image& image) { published.push_back(image); });
@@ -94,6 +113,35 @@ TEST(ColorCameraNode, LeavesOutFramesThatComeTooFast) {
 TEST(ColorCameraNode, AClockThatIsSetBackDoesNotStopTheStream) {
   const auto published = Carry({}, {Frame(1, 9'000'000), Frame(2, 1'000'000), Frame(3, 2'000'000)});
   EXPECT_EQ(published.size(), 3u);
+}
+
+TEST(ColorCameraNode, FramesAreCarriedWhateverTheCameraRefuses) {
+  const std::vector<sensor::Image> frames = {Frame(1, 1'000'000), Frame(9, 2'000'000)};
+  sensor::HealthLevel level = sensor::HealthLevel::kStarting;
+  EXPECT_EQ(Carry({}, frames, "", &level).size(), 2u);
+  EXPECT_EQ(level, sensor::HealthLevel::kOk);
+  EXPECT_EQ(Carry({}, frames, "the camera refuses gain = 0", &level).size(), 2u);
+  EXPECT_EQ(level, sensor::HealthLevel::kWarn);
+}
+
+TEST(ColorCameraNode, ASourceWhoseExposureCannotBeSetIsAWarning) {
+  ColorCameraConfig config;
+  config.exposure.emplace().target_color = *attention::NamedColorModel("super-red");
+  const std::vector<sensor::Image> frames = {Frame(1, 1'000'000), Frame(9, 2'000'000)};
+  sensor::HealthLevel level = sensor::HealthLevel::kStarting;
+  EXPECT_EQ(Carry(config, frames, "", &level).size(), 2u);
+  EXPECT_EQ(level, sensor::HealthLevel::kWarn);
+}
+
+TEST(ColorCameraNode, AStripeOnTheTargetChangesNoExposure) {
+  ColorCameraConfig config;
+  config.exposure.emplace().target_color = *attention::NamedColorModel("super-red");
+  sensor::HealthLevel level = sensor::HealthLevel::kStarting;
+  EXPECT_EQ(Carry(config, {Frame(1, 1'000'000), Frame(9, 2'000'000)}, "", &level,
+                  sensor::Laser::kVertical)
+                .size(),
+            2u);
+  EXPECT_EQ(level, sensor::HealthLevel::kOk) << "nothing was asked of a source that can do nothing";
 }
 
 TEST(ColorCameraNode, CompressesWhereAsked) {
