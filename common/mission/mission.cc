@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/contracts.h"
+#include "base/plain_name.h"
 
 namespace geon::mission {
 
@@ -33,9 +34,10 @@ std::vector<Eigen::Vector2d> InWorld(const geometry::RigidTransform& X_WR,
 }
 
 std::string Sentence(const sensor::GeonVerdict& verdict) {
-  const std::string label(ToString(verdict.label));
-  return verdict.decided ? "the geon is a " + label
-                         : "the evidence does not decide; nearest is a " + label;
+  const std::string name = PlainName(verdict.label);
+  const std::string a_name = (verdict.label == GeonLabel::kEllipsoid ? "an " : "a ") + name;
+  return verdict.decided ? "the geon is " + a_name
+                         : "the evidence does not decide; nearest is " + a_name;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "procs/geon/experiment_rates.h"
+#include "procs/geon/join_shards.h"
 
 namespace geon::cli {
 namespace {
@@ -231,26 +232,15 @@ Result<BenchRecord> ParseBenchRecord(const json& value, const std::string& name)
 }
 
 Result<BenchRecord> MergeBenchRecords(const std::vector<BenchRecord>& shards) {
-  if (shards.empty()) return Status::Error("nothing to merge");
-  BenchRecord all = shards.front();
-  for (size_t k = 1; k < shards.size(); ++k) {
-    const BenchRecord& shard = shards[k];
-    if (shard.method != all.method || shard.seed != all.seed || shard.git != all.git ||
-        shard.conditions != all.conditions) {
-      return Status::Error("shard " + std::to_string(k + 1) +
-                           " is of another experiment (method, seed, build or conditions differ)");
-    }
-    all.trials.insert(all.trials.end(), shard.trials.begin(), shard.trials.end());
-    for (const WorstView& view : shard.worst) AddWorstView(view, &all.worst);
-  }
-  const auto by_t = [](const BenchTrialRecord& a, const BenchTrialRecord& b) { return a.t < b.t; };
-  std::sort(all.trials.begin(), all.trials.end(), by_t);
-  for (size_t i = 1; i < all.trials.size(); ++i) {
-    if (all.trials[i].t == all.trials[i - 1].t) {
-      return Status::Error("trial " + std::to_string(all.trials[i].t) + " is in two shards");
-    }
-  }
-  return all;
+  return JoinShards(
+      shards, &BenchRecord::trials,
+      [](const BenchRecord& a, const BenchRecord& b) {
+        return a.method == b.method && a.seed == b.seed && a.git == b.git &&
+               a.conditions == b.conditions;
+      },
+      [](const BenchRecord& shard, BenchRecord* all) {
+        for (const WorstView& view : shard.worst) AddWorstView(view, &all->worst);
+      });
 }
 
 }  // namespace geon::cli

@@ -10,6 +10,7 @@
 #include "base/median.h"
 #include "base/plain_name.h"
 #include "procs/geon/experiment_rates.h"
+#include "procs/geon/join_shards.h"
 #include "procs/geon/svg.h"
 
 namespace geon::cli {
@@ -232,26 +233,15 @@ Result<ColorRecord> ParseColorRecord(const json& value, const std::string& name)
 }
 
 Result<ColorRecord> MergeColorRecords(const std::vector<ColorRecord>& shards) {
-  if (shards.empty()) return Status::Error("nothing to merge");
-  ColorRecord all = shards.front();
-  for (size_t k = 1; k < shards.size(); ++k) {
-    const ColorRecord& shard = shards[k];
-    if (shard.seed != all.seed || shard.git != all.git || shard.conditions != all.conditions ||
-        shard.methods != all.methods || shard.model != all.model) {
-      return Status::Error("shard " + std::to_string(k + 1) +
-                           " is of another experiment (seed, build, colour or conditions differ)");
-    }
-    all.outcomes.insert(all.outcomes.end(), shard.outcomes.begin(), shard.outcomes.end());
-    for (const WorstPicture& picture : shard.worst) AddWorstPicture(picture, &all.worst);
-  }
-  std::sort(all.outcomes.begin(), all.outcomes.end(),
-            [](const ColorOutcome& a, const ColorOutcome& b) { return a.t < b.t; });
-  for (size_t i = 1; i < all.outcomes.size(); ++i) {
-    if (all.outcomes[i].t == all.outcomes[i - 1].t) {
-      return Status::Error("trial " + std::to_string(all.outcomes[i].t) + " is in two shards");
-    }
-  }
-  return all;
+  return JoinShards(
+      shards, &ColorRecord::outcomes,
+      [](const ColorRecord& a, const ColorRecord& b) {
+        return a.seed == b.seed && a.git == b.git && a.conditions == b.conditions &&
+               a.methods == b.methods && a.model == b.model;
+      },
+      [](const ColorRecord& shard, ColorRecord* all) {
+        for (const WorstPicture& picture : shard.worst) AddWorstPicture(picture, &all->worst);
+      });
 }
 
 std::string ColorTables(const ColorRecord& record) {

@@ -6,6 +6,7 @@
 #include "base/angles.h"
 #include "evaluation/shape_tables.h"
 #include "procs/geon/experiment_rates.h"
+#include "procs/geon/join_shards.h"
 
 namespace geon::cli {
 namespace {
@@ -143,26 +144,15 @@ Result<ShapeRecord> ParseRecord(const json& value, const std::string& name) {
 }
 
 Result<ShapeRecord> MergeRecords(const std::vector<ShapeRecord>& shards) {
-  if (shards.empty()) return Status::Error("nothing to merge");
-  ShapeRecord all = shards.front();
-  for (size_t k = 1; k < shards.size(); ++k) {
-    const ShapeRecord& shard = shards[k];
-    if (shard.method != all.method || shard.seed != all.seed || shard.git != all.git ||
-        shard.conditions != all.conditions || shard.subjects.size() != all.subjects.size()) {
-      return Status::Error("shard " + std::to_string(k + 1) +
-                           " is of another experiment (method, seed, build or conditions differ)");
-    }
-    all.trials.insert(all.trials.end(), shard.trials.begin(), shard.trials.end());
-    for (const WorstView& view : shard.worst) AddWorstView(view, &all.worst);
-  }
-  std::sort(all.trials.begin(), all.trials.end(),
-            [](const ShapeTrial& a, const ShapeTrial& b) { return a.t < b.t; });
-  for (size_t i = 1; i < all.trials.size(); ++i) {
-    if (all.trials[i].t == all.trials[i - 1].t) {
-      return Status::Error("trial " + std::to_string(all.trials[i].t) + " is in two shards");
-    }
-  }
-  return all;
+  return JoinShards(
+      shards, &ShapeRecord::trials,
+      [](const ShapeRecord& a, const ShapeRecord& b) {
+        return a.method == b.method && a.seed == b.seed && a.git == b.git &&
+               a.conditions == b.conditions && a.subjects.size() == b.subjects.size();
+      },
+      [](const ShapeRecord& shard, ShapeRecord* all) {
+        for (const WorstView& view : shard.worst) AddWorstView(view, &all->worst);
+      });
 }
 
 std::string RecordTables(const ShapeRecord& record) {

@@ -94,7 +94,8 @@ void StripeSweep::OnFrame(const sensor::Image& grey, double start_s, double time
   stripe.noise_level = proof.noise_level;
   stripe.difference = SaturatedDifference(levels, grey.width_px, grey.height_px);
   stripe.difference.utime = grey.utime;
-  const int64_t middle_utime = grey.utime + MicrosecondsFromSeconds(0.5 * options_.exposure_s);
+  const double exposure_s = grey.exposure_s.value_or(options_.exposure_s);
+  const int64_t middle_utime = grey.utime + MicrosecondsFromSeconds(0.5 * exposure_s);
   waiting_.push_back({std::move(stripe), middle_utime, time_s});
   AnswerWaiting(time_s);
 }

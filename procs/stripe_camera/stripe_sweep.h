@@ -15,7 +15,8 @@
 namespace geon::stripe_camera {
 
 struct StripeSweepOptions {
-  double exposure_s = 0.008;       // of a frame: its stripe is that of the middle of it
+  // Of a frame that does not say: its stripe is that of the middle of the exposure.
+  double exposure_s = 0.008;
   double settle_s = 0.010;         // after the board's ok, before an exposure may begin
   double state_timeout_s = 1.0;    // states older than that say nothing
   double request_timeout_s = 1.0;  // after the last request: laser off, request forgotten

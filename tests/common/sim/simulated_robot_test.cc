@@ -47,12 +47,12 @@ TEST(SimulatedRobotTest, CamerasRunAtTheirRatesWithoutGaps) {
   EXPECT_EQ(Of(CameraId::kHeadColor, exposures).size(), 10u);
   EXPECT_EQ(Of(CameraId::kFloorColor, exposures).size(), 10u);
   const auto bw = Of(CameraId::kHeadBw, exposures);
-  ASSERT_EQ(bw.size(), 20u);
+  ASSERT_EQ(bw.size(), 60u);
   for (size_t k = 0; k < bw.size(); ++k) {
     EXPECT_EQ(bw[k].seq, static_cast<int64_t>(k + 1));
     EXPECT_NEAR(bw[k].end_s - bw[k].start_s, 0.010, 1e-9);
     if (k > 0) {
-      EXPECT_NEAR(bw[k].start_s - bw[k - 1].start_s, 0.1, 1e-9);
+      EXPECT_NEAR(bw[k].start_s - bw[k - 1].start_s, 1.0 / 30.0, 0.001);
     }
   }
 }
@@ -122,7 +122,8 @@ TEST(SimulatedRobotTest, ALongerExposureIsBrighterAndTakesItsTime) {
   auto bw = Of(CameraId::kHeadBw, robot->TakeExposures());
   ASSERT_GE(bw.size(), 6u);
   EXPECT_EQ(bw[0].exposure_1, 1.0) << "the next frame was asked for before";
-  bw.erase(bw.begin());
+  while (bw.front().exposure_1 == 1.0) bw.erase(bw.begin());
+  ASSERT_GE(bw.size(), 4u);
   for (const Exposure& exposure : bw) {
     EXPECT_NEAR(exposure.end_s - exposure.start_s, 0.250, 1e-9);
     EXPECT_EQ(exposure.exposure_s, 0.250);
