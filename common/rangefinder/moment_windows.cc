@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace geon::rangefinder {
 namespace {
@@ -26,33 +27,36 @@ class Windows {
     }
   }
   // The window for a stripe of that width.
-  const MomentWindow& For(double sigma_px, bool middle_on_pixel) const {
+  const MomentWindow& For(float sigma_px, bool middle_on_pixel) const {
     const auto k = static_cast<size_t>(
-        std::clamp(sigma_px * kPerPixel, 0.0, static_cast<double>(nearest_.size() - 1)));
+        std::clamp(sigma_px * kPerPixel, 0.0F, static_cast<float>(nearest_.size() - 1)));
     return windows_[static_cast<size_t>(2 * nearest_[k] + (middle_on_pixel ? 0 : 1))];
   }
 
  private:
   static constexpr int kSigmas = 20;
-  static constexpr double kPerPixel = 8.0;
+  static constexpr float kPerPixel = 8.0F;
   static double SigmaAt(int k) { return 0.7 * std::pow(1.15, k); }  // to 10 px
 
   static MomentWindow Make(double sigma_px, bool middle_on_pixel) {
     MomentWindow window;
-    window.sigma_px = sigma_px;
+    window.sigma_px = static_cast<float>(sigma_px);
     window.reach = static_cast<int>(std::ceil(2.5 * sigma_px + (middle_on_pixel ? 0.0 : 0.5)));
     window.pixels = 2 * window.reach + (middle_on_pixel ? 1 : 0);
     for (int power = 0; power < 3; ++power) {
-      window.unit[power] = std::pow(sigma_px, power) / 4096.0;
+      const double unit = std::pow(sigma_px, power) / 4096.0;
+      double sum = 0.0;
       for (int i = 0; i < window.pixels; ++i) {
         const double x_px = i - 0.5 * (window.pixels - 1);
         const double weight =
             std::pow(x_px, power) * std::exp(-0.5 * x_px * x_px / (sigma_px * sigma_px));
-        const double fixed = std::round(weight / window.unit[power]);
-        window.weight[power].push_back(static_cast<int16_t>(fixed));
-        window.sum[power] += fixed * window.unit[power];
+        const double fixed = std::round(weight / unit);
+        window.weight[static_cast<size_t>(power)][static_cast<size_t>(i)] =
+            static_cast<int16_t>(fixed);
+        sum += fixed * unit;
       }
-      while (window.weight[power].size() % kWindowPad != 0) window.weight[power].push_back(0);
+      window.unit[power] = static_cast<float>(unit);
+      window.sum[power] = static_cast<float>(sum);
     }
     return window;
   }
@@ -61,36 +65,36 @@ class Windows {
   std::array<int, 96> nearest_{};
 };
 
-// What half a run's length is, in standard deviations of a Gaussian `ratio` times as high as the
-// level the run was cut at.
+// The width of a Gaussian for each pixel of a run's length, by how many times as high as the level
+// the run was cut at it is.
 class RunWidths {
  public:
   RunWidths() {
-    for (size_t k = 0; k < half_length_.size(); ++k) {
+    for (size_t k = 0; k < sigma_.size(); ++k) {
       const double ratio = std::max(1.3, (static_cast<double>(k) + 0.5) / kPerOne);
-      half_length_[k] = std::sqrt(2.0 * std::log(ratio));
+      sigma_[k] = static_cast<float>(0.5 / std::sqrt(2.0 * std::log(ratio)));
     }
   }
-  double At(double ratio) const {
-    return half_length_[static_cast<size_t>(
-        std::clamp(ratio * kPerOne, 0.0, static_cast<double>(half_length_.size() - 1)))];
+  float At(float ratio) const {
+    return sigma_[static_cast<size_t>(
+        std::clamp(ratio * kPerOne, 0.0F, static_cast<float>(sigma_.size() - 1)))];
   }
 
  private:
-  static constexpr double kPerOne = 4.0;
-  std::array<double, 128> half_length_{};
+  static constexpr float kPerOne = 4.0F;
+  std::array<float, 128> sigma_{};
 };
 
 }  // namespace
 
-const MomentWindow& WindowFor(double sigma_px, bool middle_on_pixel) {
+const MomentWindow& WindowFor(float sigma_px, bool middle_on_pixel) {
   static const Windows windows;
   return windows.For(sigma_px, middle_on_pixel);
 }
 
-double SigmaOfRun(int length, double ratio) {
+float SigmaOfRun(int length, float ratio) {
   static const RunWidths widths;
-  return 0.5 * length / widths.At(ratio);
+  return static_cast<float>(length) * widths.At(ratio);
 }
 
 }  // namespace geon::rangefinder

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 namespace geon::rangefinder {
 namespace {
@@ -53,21 +54,31 @@ class CandidateFinder {
                   const PeakOptions& options)
       : image_(image), background_(background), threshold_1_(threshold_1), options_(options) {}
 
-  void Measure(const Run& run) {
-    if (options_.method == PeakMethod::kGaussian && run.length() <= 2 * options_.max_width_px) {
-      const double level_1 = background_.level_1 + threshold_1_;
-      const auto fit = FitGaussian(image_, run, level_1, background_);
-      if (fit && fit->peak_1 >= threshold_1_) {
-        const bool too_wide = kHalfHeight * fit->width_px > options_.max_width_px;
-        candidates_.push_back({run.line, too_wide, *fit});
-        return;
-      }
-    }
-    TakeApart(run);
+  void Measure(std::span<const Run> runs) {
+    constexpr size_t kAtOnce = 64;  // fits that stay in the nearest cache
+    candidates_.reserve(runs.size());
+    for (; runs.size() > kAtOnce; runs = runs.subspan(kAtOnce)) MeasureSome(runs.first(kAtOnce));
+    MeasureSome(runs);
   }
   std::vector<PeakCandidate> Take() && { return std::move(candidates_); }
 
  private:
+  void MeasureSome(std::span<const Run> runs) {
+    std::vector<std::optional<ProfileFit>> fits(runs.size());
+    if (options_.method == PeakMethod::kGaussian) {
+      fits = FitGaussians(image_, runs, background_.level_1 + threshold_1_, background_);
+    }
+    for (size_t k = 0; k < runs.size(); ++k) {
+      const std::optional<ProfileFit>& fit = fits[k];
+      if (fit && fit->peak_1 >= threshold_1_ && runs[k].length() <= 2 * options_.max_width_px) {
+        const bool too_wide = kHalfHeight * fit->width_px > options_.max_width_px;
+        candidates_.push_back({runs[k].line, too_wide, *fit});
+      } else {
+        TakeApart(runs[k]);
+      }
+    }
+  }
+
   // Brightest crest first, each blanked with what it covers.
   void TakeApart(const Run& run) {
     std::vector<double> smooth = Smooth(image_, run);
@@ -104,7 +115,7 @@ class CandidateFinder {
     const bool too_wide = half.length() > options_.max_width_px || height_1 < threshold_1_;
     std::optional<ProfileFit> fit;
     if (!too_wide && options_.method == PeakMethod::kGaussian) {
-      fit = FitGaussian(image_, half_run, half_level_1, pedestal);
+      fit = FitGaussians(image_, {&half_run, 1}, half_level_1, pedestal).front();
     }
     if (!fit) {
       fit = MeasureCentroid(image_, half_run, background_.noise_1, options_.base_fraction_1,
@@ -124,33 +135,29 @@ class CandidateFinder {
 // Leaves a line its brightest candidates, and none in the window of a brighter one: that is the
 // same light, broken by speckle or scattered.
 void KeepBrightest(const PeakOptions& options, std::vector<PeakCandidate>* candidates) {
-  std::vector<PeakCandidate> kept;
-  kept.reserve(candidates->size());
-  for (size_t begin = 0; begin < candidates->size();) {
-    size_t end = begin + 1;
-    while (end < candidates->size() && (*candidates)[end].line == (*candidates)[begin].line) ++end;
+  const auto end_of_all = candidates->end();
+  auto kept = candidates->begin();
+  for (auto begin = kept, end = begin; begin != end_of_all; begin = end) {
+    end = std::find_if(begin, end_of_all,
+                       [&](const PeakCandidate& other) { return other.line != begin->line; });
     if (end - begin > 1) {
-      std::stable_sort(candidates->begin() + static_cast<ptrdiff_t>(begin),
-                       candidates->begin() + static_cast<ptrdiff_t>(end),
-                       [](const PeakCandidate& a, const PeakCandidate& b) {
-                         return a.fit.peak_1 > b.fit.peak_1;
-                       });
+      std::stable_sort(begin, end, [](const PeakCandidate& a, const PeakCandidate& b) {
+        return a.fit.peak_1 > b.fit.peak_1;
+      });
     }
-    const size_t first_kept = kept.size();
-    for (size_t k = begin; k < end; ++k) {
-      const PeakCandidate& candidate = (*candidates)[k];
-      if (kept.size() - first_kept == static_cast<size_t>(options.max_candidates)) break;
-      const bool in_window =
-          std::any_of(kept.begin() + static_cast<ptrdiff_t>(first_kept), kept.end(),
-                      [&](const PeakCandidate& brighter) {
-                        return std::abs(brighter.fit.position_px - candidate.fit.position_px) <=
-                               options.half_window_px;
-                      });
-      if (!in_window) kept.push_back(candidate);
+    const auto first_kept = kept;
+    for (auto candidate = begin; candidate != end; ++candidate) {
+      if (kept - first_kept == options.max_candidates) break;
+      const bool in_window = std::any_of(first_kept, kept, [&](const PeakCandidate& brighter) {
+        return std::abs(brighter.fit.position_px - candidate->fit.position_px) <=
+               options.half_window_px;
+      });
+      if (in_window) continue;
+      if (kept != candidate) *kept = *candidate;
+      ++kept;
     }
-    begin = end;
   }
-  *candidates = std::move(kept);
+  candidates->erase(kept, end_of_all);
 }
 
 using Histogram = std::array<int, 256>;
@@ -209,7 +216,7 @@ std::vector<PeakCandidate> FindCandidates(const sensor::Image& gray, sensor::Las
   if (level_1 > 255.0) return {};
   const LineView image(gray, laser);
   CandidateFinder finder(image, background, threshold_1, options);
-  for (const Run& run : FindRuns(gray, laser, static_cast<uint8_t>(level_1))) finder.Measure(run);
+  finder.Measure(FindRuns(gray, laser, static_cast<uint8_t>(level_1)));
   std::vector<PeakCandidate> candidates = std::move(finder).Take();
   KeepBrightest(options, &candidates);
   return candidates;

@@ -1,120 +1,19 @@
 #include "rangefinder/stripe_fit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 
-#include "rangefinder/moment_windows.h"
+#include "rangefinder/stripe_moments.h"
 
 namespace geon::rangefinder {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr int kRing = 4;  // pixels on either side of the window: the floor
-
-using Levels = std::array<int16_t, kMostWindowPixels>;
-
-int SumOf(const LineView& image, int line, int first, int count) {
-  int sum = 0;
-  for (int i = first; i < first + count; ++i) sum += image.At(line, i);
-  return sum;
-}
-
-// The level beside [first, last]: the mean of both sides, or that of the darker one where noise
-// does not explain the other's light.
-double FloorBeside(const LineView& image, int line, int first, int last, double noise_1) {
-  constexpr double kUnlike = 3.0 * 1.4142 / 2.0;  // 3 standard errors of a difference of kRing
-  const bool before = first >= kRing;
-  const bool after = last + kRing < image.length;
-  const double left_1 = before ? SumOf(image, line, first - kRing, kRing) / double{kRing} : 255.0;
-  const double right_1 = after ? SumOf(image, line, last + 1, kRing) / double{kRing} : 255.0;
-  if (!before || !after || std::abs(left_1 - right_1) > kUnlike * noise_1) {
-    return std::min(left_1, right_1);
-  }
-  return 0.5 * (left_1 + right_1);
-}
-
-struct Moments {
-  double of[3] = {};  // sums of (level - floor) times 1, x and x^2 under the window
-};
-Moments Weigh(const Levels& levels, const MomentWindow& window, double floor_1) {
-  Moments moments;
-  const int count = static_cast<int>(window.weight[0].size());
-  for (int power = 0; power < 3; ++power) {
-    const int16_t* weight = window.weight[power].data();
-    int32_t sum = 0;
-    for (int i = 0; i < count; i += kWindowPad) {
-      for (int k = 0; k < kWindowPad; ++k)
-        sum += levels[static_cast<size_t>(i + k)] * weight[i + k];
-    }
-    moments.of[power] = window.unit[power] * sum - floor_1 * window.sum[power];
-  }
-  return moments;
-}
-
-// One Gaussian seen through one window with its middle at `middle_px`, or nothing where the light
-// is none. All in closed form: the product of the profile (sigma w) and the window (sigma s) is a
-// Gaussian of variance u^2 = w^2 s^2 / (w^2 + s^2), shifted by s^2 / (s^2 + w^2) of the way.
-std::optional<ProfileFit> FromMoments(const Moments& moments, const MomentWindow& window,
-                                      double middle_px) {
-  const double s2 = window.sigma_px * window.sigma_px;
-  if (!(moments.of[0] > 0.0)) return std::nullopt;
-  const double mean_px = moments.of[1] / moments.of[0];
-  const double u2 = moments.of[2] / moments.of[0] - mean_px * mean_px;
-  if (!(u2 > 0.05 * s2 && u2 < 0.95 * s2)) return std::nullopt;
-  const double stretch = s2 / (s2 - u2);  // 1 + w^2 / s^2
-  const double shift_px = mean_px * stretch;
-  const double u_px = std::sqrt(u2);
-  ProfileFit fit;
-  fit.position_px = middle_px + shift_px;
-  fit.width_px = u_px * std::sqrt(stretch);
-  fit.peak_1 = moments.of[0] / (std::sqrt(2.0 * kPi) * u_px) *
-               std::exp(0.5 * shift_px * shift_px / (s2 * stretch));
-  // The sum of window^2 x^2 v, where v is the same for every pixel, or follows the profile.
-  const double gain = stretch / moments.of[0];
-  const double shared2 =
-      fit.width_px * fit.width_px * s2 / (2.0 * fit.width_px * fit.width_px + s2);
-  fit.per_noise = gain * gain * 0.5 * std::sqrt(kPi) * s2 * window.sigma_px;
-  fit.per_gain = gain * gain * fit.peak_1 * std::sqrt(2.0 * kPi) * shared2 * std::sqrt(shared2);
-  return fit;
-}
-
-// The profile by moments under windows, moved and widened until they suit it.
-std::optional<ProfileFit> FitByMoments(const LineView& image, const Run& run, double sigma_px,
-                                       double noise_1) {
-  constexpr int kRounds = 4;
-  constexpr double kShift = 0.5;            // of the window's sigma: further off it is moved
-  constexpr double kMismatch = 1.3;         // between its sigma and the profile's
-  int twice_middle = run.first + run.last;  // in half pixels
-  for (int round = 0; round < kRounds; ++round) {
-    const bool on_pixel = twice_middle % 2 == 0;
-    const MomentWindow& window = WindowFor(sigma_px, on_pixel);
-    const int first = (twice_middle + 1) / 2 - window.reach;
-    const int last = first + window.pixels - 1;
-    if (first < 0 || last >= image.length) return std::nullopt;
-    Levels levels;
-    for (int i = 0; i < window.pixels; ++i) {
-      levels[static_cast<size_t>(i)] = static_cast<int16_t>(image.At(run.line, first + i));
-    }
-    for (int i = window.pixels; i % kWindowPad != 0; ++i) levels[static_cast<size_t>(i)] = 0;
-    const double floor_1 = FloorBeside(image, run.line, first, last, noise_1);
-    std::optional<ProfileFit> fit =
-        FromMoments(Weigh(levels, window, floor_1), window, 0.5 * twice_middle);
-    if (!fit) return fit;
-    fit->floor_1 = floor_1;
-    fit->first = first;
-    fit->last = last;
-    const double shift_px = fit->position_px - 0.5 * twice_middle;
-    const double ratio = fit->width_px / window.sigma_px;
-    const bool suits = std::abs(shift_px) <= kShift * window.sigma_px && ratio < kMismatch &&
-                       ratio > 1.0 / kMismatch;
-    if (suits || round + 1 == kRounds) return fit;
-    if (std::abs(shift_px) > 0.5 * run.length() + 1.0) return std::nullopt;  // left its run
-    twice_middle = static_cast<int>(std::lround(2.0 * fit->position_px));
-    sigma_px = fit->width_px;
-  }
-  return std::nullopt;
+int BrightestOf(const LineView& image, const Run& run) {
+  int brightest = 0;
+  for (int i = run.first; i <= run.last; ++i)
+    brightest = std::max(brightest, image.At(run.line, i));
+  return brightest;
 }
 
 // Least squares of c0 + c1 x + c2 x^2 through the logarithms of the pixels that rise above noise
@@ -185,25 +84,6 @@ std::optional<ProfileFit> FitByLogarithms(const LineView& image, const Run& run,
   return fit;
 }
 
-// Whether more of a run is as bright as its crest than of a Gaussian of that width: it is clipped
-// (a difference of two frames clips wherever the unlit one left no room).
-bool HasFlatTop(const LineView& image, const Run& run, int brightest, double sigma_px,
-                const Background& background) {
-  constexpr double kTop = 0.9;
-  constexpr double kTopOfGaussian = 0.918;  // pixels for a sigma of one
-  const double top_1 = background.level_1 + kTop * (brightest - background.level_1);
-  int bright = 0;
-  for (int i = run.first; i <= run.last; ++i) bright += image.At(run.line, i) >= top_1 ? 1 : 0;
-  return bright > 2.0 * kTopOfGaussian * sigma_px + 1.0;
-}
-
-int BrightestOf(const LineView& image, const Run& run) {
-  int brightest = 0;
-  for (int i = run.first; i <= run.last; ++i)
-    brightest = std::max(brightest, image.At(run.line, i));
-  return brightest;
-}
-
 // Where the profile crosses `level_1` beyond pixel `inside`, towards `step`.
 double Crossing(const LineView& image, int line, int inside, int step, double level_1) {
   while (inside + step >= 0 && inside + step < image.length &&
@@ -264,14 +144,18 @@ Misfit MeasureMisfit(const LineView& image, int line, const ProfileFit& fit) {
   const bool clipped = fit.core_first <= fit.core_last;
   const int fitted = clipped ? 0 : 3;
   const double fitted_light_1 = clipped ? 0.0 : 1.77 * fit.peak_1;
-  constexpr double kByFloor = 0.5 / kRing;  // the floor's own error, in variances of a pixel
+  constexpr double kByFloor = 0.5 / kFloorRing;  // the floor's own error, in variances of a pixel
   double square_sum = 0.0;
   double light_sum = 0.0;
   int pixels = 0;
-  for (int i = fit.first; i <= fit.last; ++i) {
+  // From pixel to pixel a Gaussian falls by a factor that falls by a constant factor.
+  const double per_pixel = 1.0 / fit.width_px;
+  const double x = (fit.first - fit.position_px) * per_pixel;
+  const double fall_of_fall = std::exp(-per_pixel * per_pixel);
+  double fall = std::exp(-(x + 0.5 * per_pixel) * per_pixel);
+  double light_1 = fit.peak_1 * std::exp(-0.5 * x * x);
+  for (int i = fit.first; i <= fit.last; ++i, light_1 *= fall, fall *= fall_of_fall) {
     if (i >= fit.core_first && i <= fit.core_last) continue;
-    const double x = (i - fit.position_px) / fit.width_px;
-    const double light_1 = fit.peak_1 * std::exp(-0.5 * x * x);
     const double residual_1 = image.At(line, i) - fit.floor_1 - light_1;
     square_sum += residual_1 * residual_1;
     light_sum += light_1;
@@ -285,11 +169,11 @@ Misfit MeasureMisfit(const LineView& image, int line, const ProfileFit& fit) {
 // A clipped profile: by logarithms where the flanks are a Gaussian's. Real ones often are not, for
 // light scattered round a bright stripe; then by the centroid of what stands clear of that, which
 // is as symmetric as the stripe.
-std::optional<ProfileFit> FitClipped(const LineView& image, const Run& run, int brightest,
-                                     double noise_1) {
+std::optional<ProfileFit> FitClipped(const LineView& image, const Run& run, double noise_1) {
   constexpr double kBase = 0.2;     // of the clipped height
   constexpr double kMisfit = 0.02;  // of the brightest level, besides noise
   constexpr double kNoise = 2.0;
+  const int brightest = BrightestOf(image, run);
   std::optional<ProfileFit> fit = FitByLogarithms(image, run, brightest, noise_1);
   if (!fit) return fit;
   const Misfit misfit = MeasureMisfit(image, run.line, *fit);
@@ -303,24 +187,14 @@ std::optional<ProfileFit> FitClipped(const LineView& image, const Run& run, int 
   return fit;
 }
 
-std::optional<ProfileFit> FitGaussian(const LineView& image, const Run& run, double level_1,
-                                      const Background& background) {
-  // A Gaussian's height follows from its area; of a run of another shape it does not.
-  constexpr double kLeastHeight = 0.65;
-  constexpr double kMostHeight = 1.5;
-  const int brightest = BrightestOf(image, run);
-  const double ratio = (brightest - background.level_1) / (level_1 - background.level_1);
-  const double sigma_px = SigmaOfRun(run.length(), ratio);
-  if (brightest >= kSaturated || HasFlatTop(image, run, brightest, sigma_px, background)) {
-    return FitClipped(image, run, brightest, background.noise_1);
+std::vector<std::optional<ProfileFit>> FitGaussians(const LineView& image,
+                                                    std::span<const Run> runs, double level_1,
+                                                    const Background& background) {
+  std::vector<std::optional<ProfileFit>> fits(runs.size());
+  for (const size_t k : FitByMoments(image, runs, level_1, background, fits)) {
+    fits[k] = FitClipped(image, runs[k], background.noise_1);
   }
-  const std::optional<ProfileFit> fit = FitByMoments(image, run, sigma_px, background.noise_1);
-  if (!fit) return fit;
-  const double height_1 = brightest - fit->floor_1;
-  if (fit->peak_1 < kLeastHeight * height_1 || fit->peak_1 > kMostHeight * height_1) {
-    return std::nullopt;
-  }
-  return fit;
+  return fits;
 }
 
 }  // namespace geon::rangefinder

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "rangefinder/stripe_runs.h"
 
@@ -31,17 +33,38 @@ struct Background {
   double noise_1 = 0.0;  // standard deviation
 };
 
-// The profile round a run of pixels at or above `level_1`, which lies above the background.
+constexpr int kFloorRing = 4;  // pixels on either side that tell the level a profile stands on
+
+// That level beside pixels [first, last] of a line: the mean of both sides, or that of the darker
+// one where noise does not explain the other's light.
+inline double FloorBeside(const LineView& image, int line, int first, int last, double noise_1) {
+  constexpr double kUnlike = 3.0 * 1.4142 / 2.0;  // 3 standard errors of a difference of sides
+  constexpr int kNone = 255 * kFloorRing;
+  const auto sum_of = [&](int begin) {
+    int sum = 0;
+    for (int i = begin; i < begin + kFloorRing; ++i) sum += image.At(line, i);
+    return sum;
+  };
+  const bool before = first >= kFloorRing;
+  const bool after = last + kFloorRing < image.length;
+  const int left = before ? sum_of(first - kFloorRing) : kNone;
+  const int right = after ? sum_of(last + 1) : kNone;
+  const int darker = left < right ? left : right;
+  const bool unlike = left + right - 2 * darker > kUnlike * kFloorRing * noise_1;
+  if (!before || !after || unlike) return darker / double{kFloorRing};
+  return (left + right) / (2.0 * kFloorRing);
+}
+
+// The profiles round runs of pixels at or above `level_1`, which lies above the background, in the
+// runs' order.
 //
-// Source: ours. Moments under a Gaussian window of about the stripe's own width: the product of two
-// Gaussians is one, so the profile's position, width and height follow in closed form, and with
-// equal widths the position is as good as that of a least-squares fit (it solves the same
-// equation). Where the crest is clipped: least squares of a parabola through the logarithms of the
-// flanks' pixels, each weighed by the square of its level (Guo 2011); where these are no
-// Gaussian's, the centroid of what is left. Nothing where the light is no such profile: two crests,
-// no flanks, or at the image's edge.
-std::optional<ProfileFit> FitGaussian(const LineView& image, const Run& run, double level_1,
-                                      const Background& background);
+// Source: ours. Moments under a window (stripe_moments.h). Where the crest is clipped: least
+// squares of a parabola through the logarithms of the flanks' pixels, each weighed by the square of
+// its level (Guo 2011); where these are no Gaussian's, the centroid of what is left. Nothing where
+// the light is no such profile: two crests, no flanks, or at the image's edge.
+std::vector<std::optional<ProfileFit>> FitGaussians(const LineView& image,
+                                                    std::span<const Run> runs, double level_1,
+                                                    const Background& background);
 
 // Source: thesis equation 3.6 in a window round the run, on what rises above `base_fraction_1` of
 // the peak. `half_window_px`: of the window, widened for a wider stripe.

@@ -12,6 +12,17 @@ struct Link {
   size_t candidate = 0;
 };
 
+double DistanceOf(const PeakCandidate& a, const PeakCandidate& b) {
+  return std::abs(a.fit.position_px - b.fit.position_px);
+}
+
+// Whether `next`, on a later line, may lie on the piece that `last` ends.
+bool Continues(const PeakCandidate& last, const PeakCandidate& next, const PieceOptions& options) {
+  const int lines_on = next.line - last.line;
+  return lines_on <= options.max_gap_px + 1 && !next.too_wide &&
+         DistanceOf(last, next) <= options.max_step_px * lines_on;
+}
+
 }  // namespace
 
 std::vector<std::vector<size_t>> LinkPieces(const std::vector<PeakCandidate>& candidates,
@@ -27,18 +38,23 @@ std::vector<std::vector<size_t>> LinkPieces(const std::vector<PeakCandidate>& ca
     size_t end = begin;
     while (end < candidates.size() && candidates[end].line == line) ++end;
 
+    // One spot, which goes on with the one piece there is: as nearly always.
+    if (end - begin == 1 && open.size() == 1 &&
+        Continues(candidates[pieces[open[0]].back()], candidates[begin], options)) {
+      pieces[open[0]].push_back(begin);
+      begin = end;
+      continue;
+    }
+
     still_open.clear();
     links.clear();
     for (const size_t piece : open) {
       const PeakCandidate& last = candidates[pieces[piece].back()];
-      const int lines_on = line - last.line;
-      if (lines_on > options.max_gap_px + 1) continue;
+      if (line - last.line > options.max_gap_px + 1) continue;
       still_open.push_back(piece);
       for (size_t k = begin; k < end; ++k) {
-        if (candidates[k].too_wide) continue;
-        const double distance_px = std::abs(candidates[k].fit.position_px - last.fit.position_px);
-        if (distance_px <= static_cast<double>(options.max_step_px * lines_on)) {
-          links.push_back({distance_px, piece, k});
+        if (Continues(last, candidates[k], options)) {
+          links.push_back({DistanceOf(last, candidates[k]), piece, k});
         }
       }
     }

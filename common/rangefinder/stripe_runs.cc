@@ -28,6 +28,7 @@ class BitRow {
         words_(static_cast<size_t>((width_px + kWord - 1) / kWord), 0) {}
 
   void Read(const uint8_t* row) {
+    uint64_t any = 0;
     const cv::v_uint8x16 level = cv::v_setall_u8(level_1_);
     const int whole = width_px_ / kWord;
     for (int w = 0; w < whole; ++w) {
@@ -40,14 +41,19 @@ class BitRow {
                Bits16(p + 48, level) << 48;
       }
       words_[static_cast<size_t>(w)] = word;
+      any |= word;
     }
-    if (whole * kWord == width_px_) return;
-    uint64_t word = 0;
-    for (int u = whole * kWord; u < width_px_; ++u) {
-      word |= static_cast<uint64_t>(row[u] >= level_1_) << (u % kWord);
+    if (whole * kWord < width_px_) {
+      uint64_t word = 0;
+      for (int u = whole * kWord; u < width_px_; ++u) {
+        word |= static_cast<uint64_t>(row[u] >= level_1_) << (u % kWord);
+      }
+      words_.back() = word;
+      any |= word;
     }
-    words_.back() = word;
+    is_dark_ = any == 0;
   }
+  bool is_dark() const { return is_dark_; }  // no pixel reaches the level
   size_t size() const { return words_.size(); }
   uint64_t operator[](size_t w) const { return words_[w]; }
 
@@ -55,6 +61,7 @@ class BitRow {
   int width_px_;
   uint8_t level_1_;
   std::vector<uint64_t> words_;
+  bool is_dark_ = true;
 };
 
 // Calls visit(index of bit) for every 1.
@@ -92,6 +99,7 @@ std::vector<Run> RunsOfColumns(const sensor::Image& gray, uint8_t level_1) {
   BitRow above(gray.width_px, level_1);
   for (int v = 0; v < gray.height_px; ++v) {
     row.Read(gray.data.data() + static_cast<ptrdiff_t>(v) * gray.row_stride_bytes);
+    if (row.is_dark() && above.is_dark()) continue;
     for (size_t w = 0; w < row.size(); ++w) {
       ForEachBit(row[w] & ~above[w], w, [&](int u) { first[static_cast<size_t>(u)] = v; });
       ForEachBit(above[w] & ~row[w], w, [&](int u) { emit(u, v - 1); });

@@ -19,7 +19,9 @@ sensor::Image Noiseless(double position_px, double amplitude_1) {
 
 std::optional<ProfileFit> FitOf(const sensor::Image& image) {
   const auto runs = FindRuns(image, sensor::Laser::kHorizontal, 24);
-  return FitGaussian(LineView(image, sensor::Laser::kHorizontal), runs.at(0), 24.0, {6.0, 0.3});
+  return FitGaussians(LineView(image, sensor::Laser::kHorizontal), {&runs.at(0), 1}, 24.0,
+                      {6.0, 0.3})
+      .at(0);
 }
 
 TEST(StripeFitTest, MomentsAndLogarithmsKnowPlaceHeightAndWidth) {
