@@ -1,23 +1,11 @@
 #include "attention/bit_mask.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "base/contracts.h"
 
 namespace geon::attention {
 namespace {
-
-// Bits [begin, end) of a word, 0 <= begin < end <= 64.
-uint64_t BitsBetween(int begin, int end) { return (~uint64_t{0} >> (64 - (end - begin))) << begin; }
-
-// Calls use(word, bits) for the words that hold pixels [begin, end) of a row.
-template <typename Use>
-void ForWords(int begin_px, int end_px, const Use& use) {
-  for (int word = begin_px / 64; word * 64 < end_px; ++word) {
-    use(word, BitsBetween(std::max(begin_px - word * 64, 0), std::min(end_px - word * 64, 64)));
-  }
-}
 
 // Each pixel and its two neighbours in the row; `beyond` are the bits past the width.
 void ErodeRow(const uint64_t* row, int words, uint64_t beyond, uint64_t* eroded) {
@@ -40,7 +28,7 @@ BitMask::BitMask(int width_px, int height_px)
 }
 
 uint64_t BitMask::Within(int word) const {
-  return BitsBetween(0, std::min(64, width_px_ - 64 * word));
+  return word + 1 < words_ ? ~uint64_t{0} : ~uint64_t{0} >> (64 * words_ - width_px_);
 }
 
 void BitMask::Set(int v_px, int u_begin_px, int u_end_px) {
@@ -51,18 +39,14 @@ void BitMask::Set(int v_px, int u_begin_px, int u_end_px) {
 int BitMask::Count(int v_px, int u_begin_px, int u_end_px) const {
   const uint64_t* bits = row(v_px);
   int count = 0;
-  ForWords(u_begin_px, u_end_px, [&](int word, uint64_t wanted) {
-    const uint64_t found = bits[word] & wanted;
-    if (found != 0) count += std::popcount(found);  // dear without an instruction of its own
-  });
+  ForWords(u_begin_px, u_end_px,
+           [&](int word, uint64_t wanted) { count += CountBits(bits[word] & wanted); });
   return count;
 }
 
 int BitMask::Count() const {
   int count = 0;
-  for (const uint64_t bits : bits_) {
-    if (bits != 0) count += std::popcount(bits);
-  }
+  for (const uint64_t bits : bits_) count += CountBits(bits);
   return count;
 }
 

@@ -1,9 +1,31 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace geon::attention {
+
+// How many bits are 1. Without an instruction for it std::popcount is a call and a table, which is
+// dear where a picture has a hundred thousand runs.
+constexpr int CountBits(uint64_t bits) {
+  bits -= bits >> 1 & 0x5555555555555555;  // of every two, then four, then eight
+  bits = (bits & 0x3333333333333333) + (bits >> 2 & 0x3333333333333333);
+  bits = (bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0f;
+  return static_cast<int>(bits * 0x0101010101010101 >> 56);
+}
+
+// Calls use(word, bits) for the words that hold pixels [begin, end) of a row, begin < end.
+template <typename Use>
+void ForWords(int begin_px, int end_px, const Use& use) {
+  const int last = (end_px - 1) / 64;
+  uint64_t bits = ~uint64_t{0} << (begin_px % 64);
+  for (int word = begin_px / 64; word < last; ++word) {
+    use(word, bits);
+    bits = ~uint64_t{0};
+  }
+  use(last, bits & ~uint64_t{0} >> (63 - (end_px - 1) % 64));
+}
 
 // A yes or no for every pixel of an image, 64 pixels a word: pixel u of a row is bit u % 64 of word
 // u / 64. Bits beyond the width are 0.

@@ -40,7 +40,7 @@ size_t CountRuns(const BitMask& mask) {
   for (int v = 0; v < mask.height_px(); ++v) {
     const uint64_t* bits = mask.row(v);
     for (int word = 0; word < mask.words(); ++word) {
-      if (bits[word] != 0) count += std::popcount(bits[word] & ~(bits[word] << 1));
+      count += CountBits(bits[word] & ~(bits[word] << 1));
     }
   }
   return static_cast<size_t>(count);

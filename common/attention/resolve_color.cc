@@ -1,6 +1,7 @@
 #include "attention/resolve_color.h"
 
 #include <utility>
+#include <vector>
 
 #include "attention/pixel_groups.h"
 
@@ -33,25 +34,65 @@ void TakeRim(const BitMask& rim, BitMask* target) {
       groups, [&](size_t group) { return holds_target[group]; }, target);
 }
 
-// Sides of a run on target pixels less those on others; pixels of `group_mask` are its own group's.
-int ContourBalance(const PixelRun& run, const BitMask& group_mask, const BitMask& target) {
-  int balance = 0;
-  if (run.u_begin_px > 0) balance += target.At(run.u_begin_px - 1, run.v_px) ? 1 : -1;
-  if (run.u_end_px < target.width_px()) balance += target.At(run.u_end_px, run.v_px) ? 1 : -1;
-  for (const int v : {run.v_px - 1, run.v_px + 1}) {
-    if (v < 0 || v >= target.height_px()) continue;
-    const int sides =
-        run.u_end_px - run.u_begin_px - group_mask.Count(v, run.u_begin_px, run.u_end_px);
-    balance += 2 * target.Count(v, run.u_begin_px, run.u_end_px) - sides;
+// The rows above and below row v, and what they hold: the group's own pixels and target pixels.
+// Beyond the image every pixel is the group's own.
+class RowsBeside {
+ public:
+  RowsBeside(const BitMask& group_mask, const BitMask& target)
+      : group_mask_(group_mask),
+        target_(target),
+        none_(static_cast<size_t>(target.words()), 0),
+        all_(static_cast<size_t>(target.words()), ~uint64_t{0}) {}
+
+  void GoTo(int v_px) {
+    for (int side = 0; side < 2; ++side) {
+      const int v = v_px + 2 * side - 1;
+      const bool inside = v >= 0 && v < target_.height_px();
+      own_[side] = inside ? group_mask_.row(v) : all_.data();
+      on_target_[side] = inside ? target_.row(v) : none_.data();
+    }
   }
-  return balance;
-}
+  // Pixels above and below [begin, end) that are target, less those that are neither.
+  int Balance(int begin_px, int end_px) const {
+    const int length = end_px - begin_px;
+    const int word = begin_px / 64;
+    const int first = begin_px % 64;
+    if (first + length <= 64 && length <= 8) {  // the bits of both rows fit into one word
+      const uint64_t wanted = (1U << length) - 1;
+      const auto part = [&](const uint64_t* bits) { return bits[word] >> first & wanted; };
+      const uint64_t twice = part(on_target_[0]) | part(on_target_[1]) << 8;
+      return CountBits(part(own_[0]) | part(own_[1]) << 8 | twice << 16 | twice << 32) - 2 * length;
+    }
+    int balance = -2 * length;
+    for (int side = 0; side < 2; ++side) {
+      ForWords(begin_px, end_px, [&](int at, uint64_t wanted) {
+        balance +=
+            CountBits(own_[side][at] & wanted) + 2 * CountBits(on_target_[side][at] & wanted);
+      });
+    }
+    return balance;
+  }
+
+ private:
+  const BitMask& group_mask_;
+  const BitMask& target_;
+  std::vector<uint64_t> none_;
+  std::vector<uint64_t> all_;
+  const uint64_t* own_[2] = {};
+  const uint64_t* on_target_[2] = {};
+};
 
 void TakeCannotTell(const BitMask& cannot_tell, BitMask* target) {
   const PixelGroups groups = GroupPixels(cannot_tell);
-  std::vector<int> balance(static_cast<size_t>(groups.count), 0);
+  std::vector<int> balance(static_cast<size_t>(groups.count), 0);  // of sides of the contour
+  RowsBeside beside(cannot_tell, *target);
+  int v_px = -1;
   for (const PixelRun& run : groups.runs) {
-    balance[static_cast<size_t>(run.group)] += ContourBalance(run, cannot_tell, *target);
+    if (run.v_px != v_px) beside.GoTo(v_px = run.v_px);
+    int of_run = beside.Balance(run.u_begin_px, run.u_end_px);
+    if (run.u_begin_px > 0) of_run += target->At(run.u_begin_px - 1, v_px) ? 1 : -1;
+    if (run.u_end_px < target->width_px()) of_run += target->At(run.u_end_px, v_px) ? 1 : -1;
+    balance[static_cast<size_t>(run.group)] += of_run;
   }
   TakeGroups(
       groups, [&](size_t group) { return balance[group] > 0; }, target);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace geon::attention {
 namespace {
 
@@ -42,6 +44,32 @@ TEST(ResolveColorTest, HolesThatCannotTellAreFilled) {
                       "t??tt",  //
                       "ttttt"}),
             "#####\n#####\n#####\n#####\n");
+}
+
+TEST(ResolveColorTest, SidesOfRunsOfAnyLengthAreCounted) {
+  // A run with target above all of it, and below some of it.
+  for (const int width : {1, 2, 7, 8, 9, 63, 64, 65, 200}) {
+    for (const int first : {0, 1, 57, 60, 63}) {
+      const auto row = [&](char letter, int target_pixels) {
+        return std::string(static_cast<size_t>(first), '.') +
+               std::string(static_cast<size_t>(target_pixels), 't') +
+               std::string(static_cast<size_t>(width - target_pixels), letter);
+      };
+      const std::string hole = std::string(static_cast<size_t>(first), 't') +
+                               row('?', 0).substr(static_cast<size_t>(first));
+      const int left = first > 0 ? 1 : 0;  // a side on target
+      for (int below = 0; below <= width; below += std::max(1, width / 3)) {
+        const std::string resolved = Resolved({row('.', width), hole, row('.', below)});
+        const int balance = width + 2 * below - width + left;
+        EXPECT_EQ(std::count(resolved.begin(), resolved.end(), '#'),
+                  first + width + below + (balance > 0 ? width : 0))
+            << width << " from " << first << ", below " << below;
+      }
+      const std::string resolved = Resolved({row('.', 0), hole, row('.', width / 2)});
+      EXPECT_EQ(std::count(resolved.begin(), resolved.end(), '#'), first + width / 2)
+          << width << " from " << first;
+    }
+  }
 }
 
 TEST(ResolveColorTest, GroupIsTakenWhenMoreOfItsContourIsTarget) {
