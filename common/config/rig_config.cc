@@ -4,6 +4,7 @@
 
 #include "base/angles.h"
 #include "config/calibrated_rig_file.h"
+#include "config/daemon_arguments.h"
 #include "config/text_file.h"
 
 namespace geon::config {
@@ -120,6 +121,7 @@ RobotRig ReadRobotRig(YamlSection rig, const std::filesystem::path& robot_file) 
     return result;
   }
   result.rig = calibrated->rig;
+  result.hash = FileHash(file);
   result.source = "calibrated " + calibrated->date + " (" + file.string() + ")";
   return result;
 }

@@ -18,6 +18,7 @@ geometry::SensorRig ReadDrawnRig(YamlSection rig);
 struct RobotRig {
   geometry::SensorRig rig;
   std::string source = "as drawn";  // or "calibrated 2026-11-22 (FILE)", for logs
+  std::string hash;                 // of the calibration's file; empty: as drawn
 };
 
 // As ReadDrawnRig; a calibration that is missing, damaged or not of this drawing is an error too.

@@ -53,7 +53,7 @@ struct Session {
   int64_t start_utime = 0;
   std::string version;           // git describe
   std::string config_hash;       // of the robot file
-  std::string calibration_hash;  // of the look-up table in use, empty when none is
+  std::string calibration_hash;  // of the look-up tables or the calibrated rig in use, else empty
   std::string calibration_file;
   int64_t types_hash = 0;  // sum of all fingerprints
 };

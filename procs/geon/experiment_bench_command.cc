@@ -61,7 +61,7 @@ int RunBenchCommand(const BenchArguments& arguments) {
       {"poses", arguments.plan.poses},
       {"scan", scan == mission::ScanMode::kSweep ? "sweep" : "stop"},
       {"meshes", arguments.meshes.filename().string()},
-      {"calibration", *calibration ? (*calibration)->hash : settings->recognizer.rig_source}};
+      {"calibration", recognizer::CalibrationHash(settings->recognizer, *calibration)}};
   const auto begin = std::chrono::steady_clock::now();
   Progress progress("geon experiment bench");
   Result<BenchRun> run =

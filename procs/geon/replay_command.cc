@@ -116,7 +116,7 @@ int Replay(const ReplayArguments& arguments) {
     std::cerr << "geon replay: " << calibration.message() << "\n";
     return kNotReady;
   }
-  const std::string calibration_hash = *calibration ? (*calibration)->hash : "";
+  const std::string calibration_hash = recognizer::CalibrationHash(*config, *calibration);
   config->assembler.recognition = ToOptions(arguments.recognition, config->assembler.recognition);
   Progress progress("geon replay");
   const auto read = [&] {

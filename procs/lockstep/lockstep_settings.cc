@@ -30,6 +30,7 @@ Result<LockstepSettings> LoadLockstepSettings(const std::filesystem::path& robot
   }
   settings.recognizer.rig = rig.rig;
   settings.recognizer.rig_source = rig.source;
+  settings.recognizer.rig_hash = rig.hash;
   settings.recognizer.calibration_dir =
       robot_file.parent_path() / settings.recognizer.calibration_dir;
 

@@ -13,9 +13,8 @@ int Serve(const geon::recognizer::RecognizerConfig& config, const geon::messagin
     return 3;
   }
   spdlog::info("the rig is taken {}", config.rig_source);
-  if (*calibration) {
-    daemon.health->SetCalibration((*calibration)->hash, (*calibration)->directory);
-  }
+  daemon.health->SetCalibration(geon::recognizer::CalibrationHash(config, *calibration),
+                                *calibration ? (*calibration)->directory : config.rig_source);
   const geon::recognizer::RecognizerNode node({config.rig, *calibration, config.assembler},
                                               daemon.bus, daemon.health);
   daemon.loop->Watch(daemon.bus->file_descriptor(), [&] { daemon.bus->HandlePending(); });

@@ -18,6 +18,7 @@ Result<RecognizerConfig> Load(const std::filesystem::path& robot_file,
   const config::RobotRig rig = config::ReadRobotRig(document->root().Child("rig"), robot_file);
   config.rig = rig.rig;
   config.rig_source = rig.source;
+  config.rig_hash = rig.hash;
   ReadRecognizerSection(document->root().Child("recognizer"), &config);
   if (arguments != nullptr) {
     config.bus_url = config::ReadBusUrl(*arguments, document->root().Child("bus"));
@@ -68,6 +69,11 @@ void ReadRecognizerSection(config::YamlSection section, RecognizerConfig* config
 Result<RecognizerConfig> LoadRecognizerConfig(const std::filesystem::path& robot_file,
                                               const std::string& calibration_dir) {
   return Load(robot_file, calibration_dir, nullptr);
+}
+
+std::string CalibrationHash(const RecognizerConfig& config,
+                            const std::optional<StripeCalibration>& tables) {
+  return tables ? tables->hash : config.rig_hash;
 }
 
 Result<std::optional<StripeCalibration>> LoadCalibration(const RecognizerConfig& config) {

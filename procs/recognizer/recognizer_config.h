@@ -15,6 +15,7 @@ namespace geon::recognizer {
 struct RecognizerConfig {
   geometry::SensorRig rig;
   std::string rig_source;  // as drawn, or by which calibration
+  std::string rig_hash;    // of that calibration
   std::filesystem::path calibration_dir;
   Ranging ranging = Ranging::kLookUpTable;
   ScanAssemblerOptions assembler;
@@ -28,6 +29,11 @@ void ReadRecognizerSection(config::YamlSection section, RecognizerConfig* config
 // of that file. `calibration_dir`, when not empty: distances come from the tables there.
 Result<RecognizerConfig> LoadRecognizerConfig(const std::filesystem::path& robot_file,
                                               const std::string& calibration_dir);
+
+// The hash of what distances come from: of the tables, or of the rig's calibration; empty when the
+// rig is as drawn.
+std::string CalibrationHash(const RecognizerConfig& config,
+                            const std::optional<StripeCalibration>& tables);
 
 // The look-up tables, or none if distances come from the rig.
 Result<std::optional<StripeCalibration>> LoadCalibration(const RecognizerConfig& config);

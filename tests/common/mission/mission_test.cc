@@ -25,7 +25,7 @@ TEST(MissionTest, FindsApproachesScansAndNamesAGeonOnTheFloor) {
   ASSERT_TRUE(world.RunToTheEnd());
   EXPECT_EQ(world.mission().outcome(), MissionOutcome::kNamed) << world.Text();
   EXPECT_EQ(world.mission().verdict()->label, GeonLabel::kTaperedCuboid);
-  EXPECT_THAT(world.Text(), HasSubstr("tapered_cuboid"));
+  EXPECT_THAT(world.Text(), HasSubstr("tapered cuboid"));
   ASSERT_EQ(world.plans.size(), 1u);
   EXPECT_EQ(world.plans[0].support_height_m, 0.0);
   EXPECT_EQ(world.plans[0].stripes.size(), 6u);

@@ -62,6 +62,8 @@ TEST(RecognizerConfig, TheShippedRobotFileIsGoodAndItsCalibrationLiesBesideIt) {
   EXPECT_EQ(config.calibration_dir,
             std::filesystem::path(GEON_SOURCE_DIR) / "scripts/config/calibration");
   EXPECT_GT(config.rig.stripe_camera.fx_px, 0.0);
+  EXPECT_FALSE(CalibrationHash(config, std::nullopt).empty());
+  EXPECT_EQ(CalibrationHash(config, TestCalibration(config.rig)), "0123456789abcdef");
 }
 
 TEST(RecognizerConfig, AFolderOnTheCommandLineWins) {
@@ -69,6 +71,7 @@ TEST(RecognizerConfig, AFolderOnTheCommandLineWins) {
       std::filesystem::path(GEON_SOURCE_DIR) / "scripts/config/robot.yaml", "/elsewhere");
   ASSERT_TRUE(config.ok()) << config.message();
   EXPECT_EQ(config->calibration_dir, "/elsewhere");
+  EXPECT_EQ(config->ranging, Ranging::kLookUpTable);
 }
 
 }  // namespace
