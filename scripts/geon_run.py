@@ -60,15 +60,6 @@ class Run:
         """Runs `geon WORDS` to its end."""
         return subprocess.run(self.command([BIN / "geon", *words]), env=self.environment, text=True, **options)
 
-    def calibrate(self):
-        """Makes the range finder's tables where the robot file expects them, if nobody has yet."""
-        tables = SOURCE / "scripts" / "config" / "calibration"
-        if (tables / "horizontal.lut").is_file() and (tables / "vertical.lut").is_file():
-            return
-        print("calibrating the simulated range finder (once)", file=sys.stderr, flush=True)
-        if self.geon("calibrate", "lut", "-o", tables, stdout=sys.stderr).returncode != 0:
-            raise NotReady("geon calibrate lut failed")
-
     def start(self, words, **options):
         process = subprocess.Popen(self.command(words), env=self.environment, text=True, **options)
         self._started.append(process)

@@ -111,7 +111,6 @@ def main():
     with Run(folder) as run:
         log, report = run.folder / "mission.lcmlog", run.folder / "report.html"
         try:
-            run.calibrate()
             world = world_file(arguments, run)
             outcome = mission(arguments, run, world, log)
         except NotReady as error:

@@ -175,8 +175,8 @@ std::optional<FloorModel> LearnFloor(const cv::Mat& image_bgr,
   if (patch.empty()) return std::nullopt;
 
   FloorModel model = prior;
-  model.red_share_1 = Median(std::move(red_1));
-  model.green_share_1 = Median(std::move(green_1));
+  model.red_share_1 = Median(red_1);
+  model.green_share_1 = Median(green_1);
   model.level = Median(std::move(level));
   const double noise_1 =
       std::max(Spread(red_1, model.red_share_1), Spread(green_1, model.green_share_1));
