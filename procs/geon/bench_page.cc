@@ -74,8 +74,10 @@ std::string WorstRuns(const BenchRecord& record) {
 // What was asked for, in words; conditions of records that others wrote may lack any of it.
 std::string Conditions(const nlohmann::json& conditions) {
   const std::string meshes = conditions.value("meshes", "");
+  const bool sweeps = conditions.value("scan", "stop") == "sweep";
   return std::to_string(conditions.value("poses", 0)) + " poses of each of " +
          (meshes.empty() ? "the 28 objects" : "the meshes of " + Escape(meshes)) +
+         (sweeps ? ", stripes laid while the head turns" : ", the head stops for each stripe") +
          ", distances by calibration " + Escape(conditions.value("calibration", "unknown"));
 }
 
