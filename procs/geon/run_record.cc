@@ -69,9 +69,17 @@ class Recorder {
   void Handle(const sensor::RangeProfile& profile) {
     if (!run_->plan || profile.scan_id != run_->plan->scan_id) return;
     ++run_->stripes_answered;
-    if (profile.status == sensor::ProfileStatus::kOk) {
-      run_->profiles[profile.stripe_index] = profile;
+    const auto index = static_cast<size_t>(profile.stripe_index);
+    if (profile.status != sensor::ProfileStatus::kOk || profile.stripe_index < 0 ||
+        index >= run_->plan->stripes.size()) {
+      return;
     }
+    // As the recognizer does: of a sweep's stripes the one nearest to its place, of others the
+    // last.
+    const auto known = run_->profiles.emplace(profile.stripe_index, profile).first;
+    const double planned_1 = run_->plan->stripes[index].fraction;
+    const double off_1 = std::abs(profile.fraction - planned_1);
+    if (off_1 <= std::abs(known->second.fraction - planned_1)) known->second = profile;
   }
   void Handle(const sensor::TargetView& view) {
     if (!view.view.data.empty()) run_->views.push_back(view);

@@ -75,6 +75,7 @@ TEST_F(RunRecordTest, KeepsTheGoodProfilesOfTheLastScan) {
   {
     LogFile log(file_);
     sensor::ScanPlan plan;
+    plan.stripes.push_back({sensor::Laser::kHorizontal, 0.5, 0.0, 0.0});
     sensor::RangeProfile profile;
     for (int64_t scan_id = 1; scan_id <= 2; ++scan_id) {
       plan.scan_id = scan_id;
@@ -86,11 +87,14 @@ TEST_F(RunRecordTest, KeepsTheGoodProfilesOfTheLastScan) {
       profile.on_target = static_cast<int32_t>(10 * scan_id);
       log.Write(messaging::kRangeProfile, profile);
     }
+    profile.fraction = 0.6;  // of a sweep: one that lies farther off
+    profile.on_target = 30;
+    log.Write(messaging::kRangeProfile, profile);
   }
   const RunRecord run = Read();
   ASSERT_EQ(run.profiles.size(), 1U);
   EXPECT_EQ(run.profiles.at(0).on_target, 20);
-  EXPECT_EQ(run.stripes_answered, 2);
+  EXPECT_EQ(run.stripes_answered, 3);
 }
 
 TEST_F(RunRecordTest, RemembersTheWorstHealthAndRestarts) {
