@@ -23,10 +23,8 @@ std::optional<double> SurfaceDistance(const geometry::SensorRig& rig, const Stri
                                       double support_height_m,
                                       const std::vector<sensor::RangeProfile>& measured,
                                       sensor::Laser laser, double fraction) {
-  const auto X_RB = rig.StripeCameraPose(target.head.pan_rad, target.head.tilt_rad);
-  const auto X_RC = rig.ColorCameraPose(target.head.pan_rad, target.head.tilt_rad);
   const geometry::RigidTransform X_CL =
-      X_RC.inverse() * geometry::LevelFrame(X_RB, support_height_m);
+      geometry::ColorFromLevel(rig, target.head.pan_rad, target.head.tilt_rad, support_height_m);
   const bool horizontal = laser == sensor::Laser::kHorizontal;
   const Eigen::Vector2d wanted_1(horizontal ? 0.5 : fraction, horizontal ? fraction : 0.5);
 

@@ -73,4 +73,12 @@ inline RigidTransform LevelFrame(const RigidTransform& X_RB, double support_heig
                        Eigen::Vector3d(p_RB.x(), p_RB.y(), support_height_m));
 }
 
+// X_CL: takes points of the level frame of a scan into the colour camera, as both stood when the
+// target was measured.
+inline RigidTransform ColorFromLevel(const SensorRig& rig, double pan_rad, double tilt_rad,
+                                     double support_height_m) {
+  return rig.ColorCameraPose(pan_rad, tilt_rad).inverse() *
+         LevelFrame(rig.StripeCameraPose(pan_rad, tilt_rad), support_height_m);
+}
+
 }  // namespace geon::geometry

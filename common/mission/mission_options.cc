@@ -26,6 +26,15 @@ bool IsArea(const active_vision::SearchOptions& area) {
 
 }  // namespace
 
+std::string_view ToString(ScanMode mode) { return mode == ScanMode::kSweep ? "sweep" : "stop"; }
+
+std::optional<ScanMode> ScanModeFromString(std::string_view name) {
+  for (const ScanMode mode : {ScanMode::kStop, ScanMode::kSweep}) {
+    if (name == ToString(mode)) return mode;
+  }
+  return std::nullopt;
+}
+
 bool SeeingOptions::IsValid(std::string* error) const {
   for (const auto& attention : {head, floor}) {
     if (const auto wrong = attention.Validate()) return Fail(error, *wrong);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "active_vision/center_target.h"
@@ -51,6 +53,8 @@ struct DrivingOptions {
 
 // How stripes are laid: the head stops for each (thesis 4.2.4), or sweeps over the target.
 enum class ScanMode { kStop, kSweep };
+std::string_view ToString(ScanMode mode);
+std::optional<ScanMode> ScanModeFromString(std::string_view name);
 
 // Where targets can stand and how they are looked at.
 struct LookingOptions {

@@ -66,14 +66,10 @@ Transition ScanPhase::Step(Context* context) {
 Transition ScanPhase::StepSweep(Context* context) {
   if (!sweep_->done()) sweep_->Step(context);
   if (!sweep_->done()) return std::nullopt;
-  order_.clear();
-  for (size_t k = 0; k < plan_.stripes.size(); ++k) {
-    if (const auto& profile = sweep_->nearest()[k]) {
-      measured_.push_back(*profile);
-    } else {
-      order_.push_back(k);
-    }
+  for (const auto& profile : sweep_->nearest()) {
+    if (profile) measured_.push_back(*profile);
   }
+  std::erase_if(order_, [&](size_t k) { return sweep_->nearest()[k].has_value(); });
   sweep_.reset();
   BeginStops(context);
   return all_laid() ? AwaitVerdict(context) : std::nullopt;
@@ -117,6 +113,8 @@ Transition ScanPhase::Begin(Context* context) {
 
   begun_ = true;
   order_ = active_vision::OrderStripes(plan_.stripes, view.head);
+  turn_ = 0;
+  attempt_ = 0;
   measured_.clear();
   height_verified_ = false;
   plan_sent_s_ = -1e9;
@@ -131,8 +129,6 @@ Transition ScanPhase::Begin(Context* context) {
 
 // To the first stripe of `order_`, or straight to the end where nothing is left to lay.
 void ScanPhase::BeginStops(Context* context) {
-  turn_ = 0;
-  attempt_ = 0;
   if (all_laid()) {
     EndStops(context);
   } else {

@@ -30,20 +30,19 @@ double Apart(const HeadAngles& a, const HeadAngles& b) {
 }  // namespace
 
 Sweep::Sweep(const sensor::ScanPlan& plan, const HeadAngles& from)
-    : scan_id_(plan.scan_id), planned_(plan.stripes), nearest_(plan.stripes.size()) {
+    : plan_(plan), nearest_(plan.stripes.size()) {
   HeadAngles at = from;
   for (const Laser laser : {Laser::kHorizontal, Laser::kVertical}) {
-    const std::optional<Turn> turn = PlanTurn(plan, laser, at);
+    const std::optional<Turn> turn = PlanTurn(laser, at);
     if (!turn) continue;
     turns_.push_back(*turn);
     at = turn->to;
   }
 }
 
-std::optional<Sweep::Turn> Sweep::PlanTurn(const sensor::ScanPlan& plan, Laser laser,
-                                           const HeadAngles& at) {
+std::optional<Sweep::Turn> Sweep::PlanTurn(Laser laser, const HeadAngles& at) const {
   std::vector<PlannedStripe> stripes;
-  for (const PlannedStripe& stripe : plan.stripes) {
+  for (const PlannedStripe& stripe : plan_.stripes) {
     if (stripe.laser == laser) stripes.push_back(stripe);
   }
   if (stripes.size() < 2) return std::nullopt;
@@ -92,7 +91,7 @@ void Sweep::AskForLight(Context* context) {
   if (context->time_s - asked_s_ < kAskAgain_s || context->senses.base().moving) return;
   asked_s_ = context->time_s;
   sensor::ScanCommand command;
-  command.scan_id = scan_id_;
+  command.scan_id = plan_.scan_id;
   command.stripe_index = sensor::kSweptStripe;
   command.attempt = sensor::kSweptStripe;
   command.laser = turns_[turn_].laser;
@@ -102,15 +101,11 @@ void Sweep::AskForLight(Context* context) {
 void Sweep::Take(const sensor::RangeProfile& profile) {
   const bool measured = profile.status == sensor::ProfileStatus::kOk && profile.on_target > 0 &&
                         profile.stripe_index >= 0 &&
-                        static_cast<size_t>(profile.stripe_index) < planned_.size();
+                        static_cast<size_t>(profile.stripe_index) < plan_.stripes.size();
   if (done() || !measured) return;
-  const auto k = static_cast<size_t>(profile.stripe_index);
-  const auto off_1 = [&](const sensor::RangeProfile& laid) {
-    return std::abs(laid.fraction - planned_[k].fraction);
-  };
-  if (off_1(profile) <= kNear_1 && (!nearest_[k] || off_1(profile) < off_1(*nearest_[k]))) {
-    nearest_[k] = profile;
-  }
+  auto& nearest = nearest_[static_cast<size_t>(profile.stripe_index)];
+  const double off_1 = Misplacement(plan_, profile);
+  if (off_1 <= kNear_1 && (!nearest || off_1 < Misplacement(plan_, *nearest))) nearest = profile;
   const Turn& turn = turns_[turn_];
   beyond_ |=
       profile.laser == turn.laser && (profile.fraction - turn.last_1) * turn.way_1 > kBeyond_1;

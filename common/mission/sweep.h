@@ -15,7 +15,6 @@ namespace geon::mission {
 // Source: ours; thesis 4.2.4 stops for each stripe.
 class Sweep {
  public:
-  Sweep() = default;
   // `from`: where the head is. A laser of which fewer than two stripes are planned is not swept.
   Sweep(const sensor::ScanPlan& plan, const active_vision::HeadAngles& from);
 
@@ -34,8 +33,7 @@ class Sweep {
     double way_1 = 1.0;         // fractions grow on the way, or shrink (-1)
     double quarters_rad = 0.0;  // from the first planned stripe to the last
   };
-  static std::optional<Turn> PlanTurn(const sensor::ScanPlan& plan, sensor::Laser laser,
-                                      const active_vision::HeadAngles& at);
+  std::optional<Turn> PlanTurn(sensor::Laser laser, const active_vision::HeadAngles& at) const;
   void NextTurn() {
     ++turn_;
     begun_s_.reset();
@@ -45,8 +43,7 @@ class Sweep {
   }
   void AskForLight(Context* context);
 
-  int64_t scan_id_ = 0;
-  std::vector<sensor::PlannedStripe> planned_;
+  sensor::ScanPlan plan_;
   std::vector<Turn> turns_;
   size_t turn_ = 0;
   std::optional<double> begun_s_;  // this turn

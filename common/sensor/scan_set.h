@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -74,5 +75,12 @@ struct ScanPlan {
   double distance_m = 0.0;        // horizontal, from the B/W camera to the target's foot
   std::vector<PlannedStripe> stripes;
 };
+
+// How far beside its planned stripe a profile lies, as a part of the target. Its `stripe_index`
+// must be one of the plan's.
+inline double Misplacement(const ScanPlan& plan, const RangeProfile& profile) {
+  return std::abs(profile.fraction -
+                  plan.stripes[static_cast<size_t>(profile.stripe_index)].fraction);
+}
 
 }  // namespace geon::sensor

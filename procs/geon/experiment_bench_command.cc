@@ -42,9 +42,7 @@ int RunBenchCommand(const BenchArguments& arguments) {
     settings->recognizer.ranging = recognizer::Ranging::kLookUpTable;
   }
   mission::ScanMode& scan = settings->mission.looking.scan;
-  if (!arguments.scan.empty()) {
-    scan = arguments.scan == "sweep" ? mission::ScanMode::kSweep : mission::ScanMode::kStop;
-  }
+  scan = mission::ScanModeFromString(arguments.scan).value_or(scan);
   const Result<std::optional<recognizer::StripeCalibration>> calibration =
       recognizer::LoadCalibration(settings->recognizer);
   if (!calibration.ok()) return FailBench(calibration.status());
@@ -59,7 +57,7 @@ int RunBenchCommand(const BenchArguments& arguments) {
   record.conditions = {
       {"ranges_m", arguments.plan.ranges_m},
       {"poses", arguments.plan.poses},
-      {"scan", scan == mission::ScanMode::kSweep ? "sweep" : "stop"},
+      {"scan", ToString(scan)},
       {"meshes", arguments.meshes.filename().string()},
       {"calibration", recognizer::CalibrationHash(settings->recognizer, *calibration)}};
   const auto begin = std::chrono::steady_clock::now();

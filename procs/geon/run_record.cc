@@ -77,9 +77,9 @@ class Recorder {
     // As the recognizer does: of a sweep's stripes the one nearest to its place, of others the
     // last.
     const auto known = run_->profiles.emplace(profile.stripe_index, profile).first;
-    const double planned_1 = run_->plan->stripes[index].fraction;
-    const double off_1 = std::abs(profile.fraction - planned_1);
-    if (off_1 <= std::abs(known->second.fraction - planned_1)) known->second = profile;
+    if (Misplacement(*run_->plan, profile) <= Misplacement(*run_->plan, known->second)) {
+      known->second = profile;
+    }
   }
   void Handle(const sensor::TargetView& view) {
     if (!view.view.data.empty()) run_->views.push_back(view);

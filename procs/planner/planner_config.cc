@@ -68,8 +68,9 @@ void ReadLooking(config::YamlSection section, mission::LookingOptions* looking) 
   ReadArea(section.Child("near_sweep"), &looking->near);
   std::string scan = "stop";
   section.ReadOptional("scan", &scan);
-  section.Check(scan == "stop" || scan == "sweep", "scan", "must be stop or sweep");
-  looking->scan = scan == "sweep" ? mission::ScanMode::kSweep : mission::ScanMode::kStop;
+  const auto mode = mission::ScanModeFromString(scan);
+  section.Check(mode.has_value(), "scan", "must be stop or sweep");
+  looking->scan = mode.value_or(looking->scan);
   section.ReadOptional("sweep_s", &looking->sweep_s);
 }
 

@@ -113,12 +113,14 @@ ScanAssembler::Answer ScanAssembler::Take(const sensor::Stripe& stripe) {
 }
 
 sensor::RangeProfile ScanAssembler::TakeSwept(sensor::Stripe stripe) {
-  stripe.stripe_index = static_cast<int32_t>(NearestPlanned(stripe));
+  std::vector<int32_t> places;
+  for (size_t k = 0; k < plan_->stripes.size(); ++k) {
+    if (plan_->stripes[k].laser == stripe.laser) places.push_back(static_cast<int32_t>(k));
+  }
+  stripe.stripe_index = places.front();
   sensor::RangeProfile profile = Measure(stripe);
-  const auto X_RB = rig_.StripeCameraPose(plan_->pan_rad, plan_->tilt_rad);
   const geometry::RigidTransform X_CL =
-      rig_.ColorCameraPose(plan_->pan_rad, plan_->tilt_rad).inverse() *
-      geometry::LevelFrame(X_RB, plan_->support_height_m);
+      geometry::ColorFromLevel(rig_, plan_->pan_rad, plan_->tilt_rad, plan_->support_height_m);
   const auto laid_1 =
       active_vision::LaidFraction(profile, X_CL, rig_.color_camera, plan_->target_box);
   if (!laid_1) {
@@ -126,38 +128,18 @@ sensor::RangeProfile ScanAssembler::TakeSwept(sensor::Stripe stripe) {
     return profile;
   }
   profile.fraction = *laid_1;
-  const auto off_1 = [&](const sensor::RangeProfile& lies, size_t k) {
-    return std::abs(lies.fraction - plan_->stripes[k].fraction);
+  const auto off_1 = [&](int32_t place) {
+    return std::abs(*laid_1 - plan_->stripes[static_cast<size_t>(place)].fraction);
   };
-  for (size_t k = 0; k < plan_->stripes.size(); ++k) {
-    const bool nearer =
-        plan_->stripes[k].laser == profile.laser &&
-        off_1(profile, k) < off_1(profile, static_cast<size_t>(profile.stripe_index));
-    if (nearer) profile.stripe_index = static_cast<int32_t>(k);
-  }
+  profile.stripe_index = *std::min_element(
+      places.begin(), places.end(), [&](int32_t a, int32_t b) { return off_1(a) < off_1(b); });
   newest_utime_ = std::max(newest_utime_, stripe.utime);
   if (profile.status != ProfileStatus::kOk || verdict_) return profile;
-  const auto index = static_cast<size_t>(profile.stripe_index);
   const auto [best, first] = good_.emplace(profile.stripe_index, profile);
-  if (!first && off_1(profile, index) < off_1(best->second, index)) best->second = profile;
-  return profile;
-}
-
-// By where the head was.
-size_t ScanAssembler::NearestPlanned(const sensor::Stripe& swept) const {
-  const auto off_rad = [&](const sensor::PlannedStripe& planned) {
-    return swept.laser == sensor::Laser::kHorizontal ? std::abs(planned.tilt_rad - swept.tilt_rad)
-                                                     : std::abs(planned.pan_rad - swept.pan_rad);
-  };
-  size_t nearest = plan_->stripes.size();
-  for (size_t k = 0; k < plan_->stripes.size(); ++k) {
-    if (plan_->stripes[k].laser != swept.laser) continue;
-    if (nearest == plan_->stripes.size() ||
-        off_rad(plan_->stripes[k]) < off_rad(plan_->stripes[nearest])) {
-      nearest = k;
-    }
+  if (!first && Misplacement(*plan_, profile) < Misplacement(*plan_, best->second)) {
+    best->second = profile;
   }
-  return nearest;
+  return profile;
 }
 
 std::optional<sensor::GeonVerdict> ScanAssembler::Take(const sensor::ScanCommand& command) {

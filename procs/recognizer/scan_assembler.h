@@ -72,7 +72,6 @@ class ScanAssembler {
  private:
   bool IsKnown(const sensor::Stripe& stripe) const;
   sensor::RangeProfile TakeSwept(sensor::Stripe stripe);
-  size_t NearestPlanned(const sensor::Stripe& swept) const;
   sensor::RangeProfile Measure(const sensor::Stripe& stripe) const;
   sensor::RangeProfile MeasurePoints(const sensor::Stripe& plain) const;
   sensor::RangeProfile Tagged(sensor::RangeProfile profile) const;

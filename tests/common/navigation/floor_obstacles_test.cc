@@ -112,6 +112,17 @@ TEST(LearnFloorTest, LearnsTheShadeOfTheRoomsLight) {
   EXPECT_NEAR(model->red_share_1, 126.0 / 346.0, 0.002);
 }
 
+TEST(LearnFloorTest, AMottledFloorIsKnownByAWiderTolerance) {
+  const auto mottled = [](double x_m, double y_m) {
+    const bool warm =
+        (static_cast<int>(50.0 * x_m) + static_cast<int>(50.0 * (y_m + 5.0))) % 2 == 0;
+    return warm ? cv::Vec3b(136, 150, 154) : cv::Vec3b(144, 150, 146);
+  };
+  const auto model = LearnFloor(Picture(mottled), kCamera, CameraPose(), kModel, {});
+  ASSERT_TRUE(model.has_value());
+  EXPECT_GT(model->share_tolerance_1, 1.05 * kModel.share_tolerance_1);
+}
+
 TEST(LearnFloorTest, DoesNotTakeWhatStandsInFrontForFloor) {
   const auto red = Picture([](double, double) { return cv::Vec3b(30, 30, 180); });
   EXPECT_FALSE(LearnFloor(red, kCamera, CameraPose(), kModel, {}).has_value());

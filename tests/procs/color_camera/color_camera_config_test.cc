@@ -7,19 +7,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/procs/installed_robot_file.h"
+
 namespace geon::color_camera {
 namespace {
-
-// To be read in another folder: the calibrated rig is named in full.
-std::string InstalledFile() {
-  const std::string folder = std::string(GEON_SOURCE_DIR) + "/scripts/config/";
-  std::ifstream file(folder + "robot.yaml");
-  std::stringstream stream;
-  stream << file.rdbuf();
-  std::string text = stream.str();
-  const std::string rig = "calibration/rig.yaml";
-  return text.replace(text.find(rig), rig.size(), folder + rig);
-}
 
 Result<ColorCameraConfig> Load(const std::string& text, Role role,
                                const ColorCameraFlags& flags = {}) {
@@ -34,31 +25,31 @@ Result<ColorCameraConfig> Load(const std::string& text, Role role,
 }
 
 TEST(ColorCameraConfig, TheInstalledFileIsGoodForBothCameras) {
-  const auto head = Load(InstalledFile(), Role::kHead);
+  const auto head = Load(InstalledRobotFile(), Role::kHead);
   ASSERT_TRUE(head.ok()) << head.message();
   EXPECT_EQ(head->source.width_px, 640);
   EXPECT_EQ(head->encoding, sensor::PixelFormat::kBgr8);
   EXPECT_EQ(head->source.controls.exposure_s, 0.010);
   EXPECT_EQ(head->source.controls.white_balance_k, 4000);
-  const auto floor = Load(InstalledFile(), Role::kFloor);
+  const auto floor = Load(InstalledRobotFile(), Role::kFloor);
   ASSERT_TRUE(floor.ok()) << floor.message();
   EXPECT_EQ(floor->source.width_px, 320);
 }
 
 // The installed file with one text in place of another.
 std::string With(const std::string& good, const std::string& other) {
-  std::string text = InstalledFile();
+  std::string text = InstalledRobotFile();
   EXPECT_NE(text.find(good), std::string::npos) << good;
   return text.replace(text.find(good), good.size(), other);
 }
 
 TEST(ColorCameraConfig, TheHeadsExposureFollowsTheTargetUnlessFixed) {
-  const auto head = Load(InstalledFile(), Role::kHead);
+  const auto head = Load(InstalledRobotFile(), Role::kHead);
   ASSERT_TRUE(head.ok() && head->exposure.has_value()) << head.message();
   EXPECT_EQ(head->exposure->target_color.name, "super-red");
   EXPECT_EQ(head->exposure->first_exposure_s, 0.010);
   EXPECT_EQ(head->exposure->law.most_exposure_s, 0.050);
-  EXPECT_FALSE(Load(InstalledFile(), Role::kFloor)->exposure.has_value());
+  EXPECT_FALSE(Load(InstalledRobotFile(), Role::kFloor)->exposure.has_value());
 
   const auto fixed = Load(With("exposure: target", "exposure: fixed"), Role::kHead);
   ASSERT_TRUE(fixed.ok()) << fixed.message();
@@ -87,14 +78,14 @@ TEST(ColorCameraConfig, BadExposuresAreRefusedByName) {
 }
 
 TEST(ColorCameraConfig, FlagsWin) {
-  const auto config = Load(InstalledFile(), Role::kHead, {"video:x.avi", "jpeg"});
+  const auto config = Load(InstalledRobotFile(), Role::kHead, {"video:x.avi", "jpeg"});
   ASSERT_TRUE(config.ok()) << config.message();
   EXPECT_EQ(config->source.source, "video:x.avi");
   EXPECT_EQ(config->encoding, sensor::PixelFormat::kJpeg);
 }
 
 TEST(ColorCameraConfig, BadValuesAreRefusedByName) {
-  std::string text = InstalledFile();
+  std::string text = InstalledRobotFile();
   const std::string good = "power_line_hz: 50";
   text.replace(text.find(good), good.size(), "power_line_hz: 55");
   const auto config = Load(text, Role::kHead);

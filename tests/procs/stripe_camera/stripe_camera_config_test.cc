@@ -6,19 +6,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/procs/installed_robot_file.h"
+
 namespace geon::stripe_camera {
 namespace {
-
-// To be read in another folder: the calibrated rig is named in full.
-std::string InstalledFile() {
-  const std::string folder = std::string(GEON_SOURCE_DIR) + "/scripts/config/";
-  std::ifstream file(folder + "robot.yaml");
-  std::stringstream stream;
-  stream << file.rdbuf();
-  std::string text = stream.str();
-  const std::string rig = "calibration/rig.yaml";
-  return text.replace(text.find(rig), rig.size(), folder + rig);
-}
 
 Result<StripeCameraConfig> Load(const std::string& text, const StripeCameraFlags& flags = {}) {
   const std::filesystem::path path =
@@ -32,7 +23,7 @@ Result<StripeCameraConfig> Load(const std::string& text, const StripeCameraFlags
 }
 
 TEST(StripeCameraConfig, TheInstalledFileIsGood) {
-  const auto config = Load(InstalledFile());
+  const auto config = Load(InstalledRobotFile());
   ASSERT_TRUE(config.ok()) << config.message();
   EXPECT_EQ(config->source.width_px, 640);
   EXPECT_EQ(config->source.format, sensor::PixelFormat::kGray8);
@@ -43,14 +34,14 @@ TEST(StripeCameraConfig, TheInstalledFileIsGood) {
 }
 
 TEST(StripeCameraConfig, FlagsWin) {
-  const auto config = Load(InstalledFile(), {"sim:ipc:///tmp/x", "/tmp/lasers.tty"});
+  const auto config = Load(InstalledRobotFile(), {"sim:ipc:///tmp/x", "/tmp/lasers.tty"});
   ASSERT_TRUE(config.ok()) << config.message();
   EXPECT_EQ(config->source.source, "sim:ipc:///tmp/x");
   EXPECT_EQ(config->lasers.path, "/tmp/lasers.tty");
 }
 
 TEST(StripeCameraConfig, BadValuesAreRefusedByName) {
-  std::string text = InstalledFile();
+  std::string text = InstalledRobotFile();
   const std::string good = "lit_tries: 3";
   text.replace(text.find(good), good.size(), "lit_tries: 0");
   const auto config = Load(text);
@@ -59,7 +50,7 @@ TEST(StripeCameraConfig, BadValuesAreRefusedByName) {
 }
 
 TEST(StripeCameraConfig, UnknownKeysAreRefused) {
-  std::string text = InstalledFile();
+  std::string text = InstalledRobotFile();
   const std::string section = "\nstripe_camera:\n";
   text.insert(text.find(section) + section.size(), "  lazers: 2\n");
   const auto config = Load(text);
