@@ -42,4 +42,9 @@ inline RigidTransform PlanarPose(double x_m, double y_m, double heading_rad) {
   return MakeTransform(RotationAboutZ(heading_rad), Eigen::Vector3d(x_m, y_m, 0.0));
 }
 
+// Takes the place (x, y) on the ground of B to A, where both have the ground at z = 0.
+inline Eigen::Vector2d OnGround(const RigidTransform& X_AB, const Eigen::Vector2d& p_B_m) {
+  return (X_AB * Eigen::Vector3d(p_B_m.x(), p_B_m.y(), 0.0)).head<2>();
+}
+
 }  // namespace geon::geometry

@@ -8,6 +8,7 @@
 #include "geometry/convex_polygon.h"
 #include "mission/mission_options.h"
 #include "mission/senses.h"
+#include "mission/waypoint_follower.h"
 #include "navigation/velocity_law.h"
 
 namespace geon::mission {
@@ -33,21 +34,16 @@ class Drive {
 
   // What the last answer was made of, frame R, for people.
   const geometry::ConvexPolygon& polygon_R() const { return polygon_R_; }
-  const Eigen::Vector2d& waypoint_R_m() const { return waypoint_R_m_; }
+  const Eigen::Vector2d& waypoint_R_m() const { return follower_.waypoint_R_m(); }
 
  private:
-  navigation::DriveVelocity Go(double now_s, const Eigen::Vector2d& waypoint_R_m,
-                               const Senses& senses);
-
   DrivingOptions options_;
   std::mt19937 random_;
   std::vector<Eigen::Vector2d> bending_R_m_;
   geometry::ConvexPolygon polygon_R_;
-  Eigen::Vector2d waypoint_R_m_ = Eigen::Vector2d::Zero();
+  WaypointFollower follower_;
   std::optional<Eigen::Vector2d> wander_W_m_;
   double wander_until_s_ = 0.0;
-  double speed_m_s_ = 0.0;
-  std::optional<double> last_s_;
 };
 
 }  // namespace geon::mission

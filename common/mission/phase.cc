@@ -27,7 +27,7 @@ std::string_view ToString(Phase phase) {
 }
 
 Eigen::Vector2d InRobot(const Context& context, const Eigen::Vector2d& p_W_m) {
-  return (context.senses.X_WR().inverse() * Eigen::Vector3d(p_W_m.x(), p_W_m.y(), 0.0)).head<2>();
+  return geometry::OnGround(context.senses.X_WR().inverse(), p_W_m);
 }
 
 std::optional<active_vision::HeadAngles> AimAt(const Context& context, const Eigen::Vector2d& p_W_m,

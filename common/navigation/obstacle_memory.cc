@@ -9,10 +9,6 @@ namespace geon::navigation {
 
 namespace {
 
-Eigen::Vector2d Apply(const geometry::RigidTransform& X_AB, const Eigen::Vector2d& p_B_m) {
-  return (X_AB * Eigen::Vector3d(p_B_m.x(), p_B_m.y(), 0.0)).head<2>();
-}
-
 double Bearing(const Eigen::Vector2d& p_m) { return std::atan2(p_m.y(), p_m.x()); }
 
 // Whether both columns beside the direction of p showed floor well beyond it. What is nearer than
@@ -51,11 +47,11 @@ void ObstacleMemory::SeeFloor(double now_s, const geometry::RigidTransform& X_WR
   const geometry::RigidTransform X_RW = X_WR.inverse();
   std::erase_if(points_, [&](const Remembered& point) {
     return point.from_floor &&
-           SeenAsFloor(Apply(X_RW, point.p_W_m), columns, options_.erase_margin_m);
+           SeenAsFloor(geometry::OnGround(X_RW, point.p_W_m), columns, options_.erase_margin_m);
   });
   for (const FloorColumn& column : columns) {
     if (!column.obstacle) continue;
-    Add(Apply(X_WR, column.end_R_m), now_s + options_.floor_memory_s, true);
+    Add(geometry::OnGround(X_WR, column.end_R_m), now_s + options_.floor_memory_s, true);
   }
 }
 
@@ -63,7 +59,7 @@ void ObstacleMemory::Feel(double now_s, const geometry::RigidTransform& X_WR,
                           std::span<const Eigen::Vector2d> points_R_m) {
   Forget(now_s);
   for (const Eigen::Vector2d& p_R_m : points_R_m) {
-    Add(Apply(X_WR, p_R_m), now_s + options_.sonar_memory_s, false);
+    Add(geometry::OnGround(X_WR, p_R_m), now_s + options_.sonar_memory_s, false);
   }
 }
 
@@ -74,7 +70,8 @@ void ObstacleMemory::Forget(double now_s) {
 void ObstacleMemory::In(const geometry::RigidTransform& X_RW,
                         std::vector<Eigen::Vector2d>* points_R_m) const {
   points_R_m->clear();
-  for (const Remembered& point : points_) points_R_m->push_back(Apply(X_RW, point.p_W_m));
+  for (const Remembered& point : points_)
+    points_R_m->push_back(geometry::OnGround(X_RW, point.p_W_m));
 }
 
 void ObstacleMemory::Add(const Eigen::Vector2d& p_W_m, double until_s, bool from_floor) {

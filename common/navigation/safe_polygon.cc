@@ -46,9 +46,9 @@ geometry::ConvexPolygon SafePolygon(std::span<Eigen::Vector2d> obstacles_R_m,
   // A point on the robot's axis has no direction; such a point is a sensor's error.
   constexpr double kOnAxis_m = 1e-3;
   const double vicinity_m = Vicinity(options);
-  auto rest = std::remove_if(obstacles_R_m.begin(), obstacles_R_m.end(), [&](const auto& p_m) {
+  auto rest = std::partition(obstacles_R_m.begin(), obstacles_R_m.end(), [&](const auto& p_m) {
     const double distance_m = p_m.norm();
-    return !(distance_m > kOnAxis_m && distance_m < vicinity_m);
+    return distance_m > kOnAxis_m && distance_m < vicinity_m;
   });
   const auto nearer = [](const auto& a_m, const auto& b_m) {
     return a_m.squaredNorm() < b_m.squaredNorm();
@@ -58,8 +58,10 @@ geometry::ConvexPolygon SafePolygon(std::span<Eigen::Vector2d> obstacles_R_m,
     const double distance_m = nearest_m.norm();
     const Eigen::Vector2d normal = nearest_m / distance_m;
     polygon.Clip({normal, std::max(0.0, distance_m - options.clearance_m)});
-    rest = std::remove_if(begin, rest, [&](const auto& p_m) {
-      return normal.dot(p_m) >= distance_m - options.slack_m;
+    // Of an obstacle that is too near the line goes through the robot: what it keeps away is less.
+    const double behind_m = std::max(distance_m, options.clearance_m) - options.slack_m;
+    rest = std::partition(begin, rest, [&](const auto& p_m) {
+      return p_m != nearest_m && normal.dot(p_m) < behind_m;
     });
   }
   return polygon;

@@ -5,6 +5,8 @@
 #include <random>
 
 #include "geometry/convex_polygon.h"
+#include "geometry/rigid_transform.h"
+#include "navigation/cost_to_go.h"
 
 namespace geon::navigation {
 
@@ -26,5 +28,15 @@ Eigen::Vector2d WaypointToTarget(const geometry::ConvexPolygon& polygon,
 // or no answer when the polygon has none. Frame R.
 std::optional<Eigen::Vector2d> WanderWaypoint(const geometry::ConvexPolygon& polygon,
                                               double min_move_m, std::mt19937& random);
+
+// Where to move next so that it costs least from there: of the cheapest way the farthest place
+// within the safe polygon, or, where the polygon ends at once, the place on its border from which
+// it costs least. Nothing where no place in the polygon is cheaper than here. Frame R.
+//
+// Source: ours; the thesis's polygon after its "closest vertex" (4.3), which could be trapped. The
+// straight move there is safe, since the polygon is convex and free.
+std::optional<Eigen::Vector2d> WaypointByCost(const geometry::ConvexPolygon& polygon,
+                                              const geometry::RigidTransform& X_WR,
+                                              const OccupancyGrid& grid, const CostToGo& cost);
 
 }  // namespace geon::navigation

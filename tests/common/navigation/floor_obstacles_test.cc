@@ -45,7 +45,10 @@ std::vector<FloorColumn> Look(const cv::Mat& image) {
 TEST(FloorObstaclesTest, BareFloorHasNone) {
   for (const FloorColumn& column : Look(Picture([](double, double) { return kFloor; }))) {
     EXPECT_FALSE(column.obstacle);
-    EXPECT_GT(column.end_R_m.norm(), 1.5);
+    // Far to the sides the picture ends sooner.
+    if (std::abs(column.end_R_m.y()) < column.end_R_m.x()) {
+      EXPECT_GT(column.end_R_m.norm(), 1.4);
+    }
   }
 }
 
@@ -88,8 +91,28 @@ TEST(FloorObstaclesTest, AWhiteWallInTheFloorsBrightnessIsNotFloor) {
     return x_m > 1.5 ? cv::Vec3b(159, 155, 154) : cv::Vec3b(138, 147, 147);
   }));
   for (const FloorColumn& column : columns) {
-    if (std::abs(column.end_R_m.y()) < 1.0) {
+    if (std::abs(column.end_R_m.y()) < 0.6 * column.end_R_m.x()) {
       EXPECT_TRUE(column.obstacle);
+    }
+  }
+}
+
+// An upright box is seen with its sides: no obstacle is where only its top hides the floor.
+TEST(FloorObstaclesTest, WhatLeansOutwardInThePictureStandsAtItsFoot) {
+  const auto X_RF = CameraPose();
+  cv::Mat mask(kCamera.height_px, kCamera.width_px, CV_8UC1, cv::Scalar(0));
+  // The side x = 1.0 of a box 0.5 m high that ends at y = 0.6, on the left.
+  for (int v = 0; v < mask.rows; ++v) {
+    for (int u = 0; u < mask.cols; ++u) {
+      const Eigen::Vector3d ray = X_RF.linear() * kCamera.Ray(u, v);
+      const double to_side = (1.0 - X_RF.translation().x()) / ray.x();
+      const Eigen::Vector3d p = X_RF.translation() + to_side * ray;
+      if (to_side > 0.0 && p.y() < 0.6 && p.z() > 0.0 && p.z() < 0.5) mask.at<uint8_t>(v, u) = 255;
+    }
+  }
+  for (const FloorColumn& column : FloorObstacles(mask, kCamera, X_RF, {})) {
+    if (column.obstacle) {
+      EXPECT_NEAR(column.end_R_m.x(), 1.0, 0.05);
     }
   }
 }

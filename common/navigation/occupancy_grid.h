@@ -1,0 +1,148 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/rigid_transform.h"
+#include "navigation/floor_obstacles.h"
+#include "navigation/ring_obstacles.h"
+#include "sensor/base.h"
+
+namespace geon::navigation {
+
+// Evidence in log-odds: above 0 an obstacle, below 0 free floor.
+struct OccupancyGridOptions {
+  double cell_m = 0.05;
+  double reach_m = 12.0;  // of the map from the origin of W, along both axes; what is farther is
+                          // not kept
+
+  // One floor picture, for what is at most `near_m` away; farther off it counts less, with the
+  // square of the distance, as the camera's tilt moves far things more.
+  double seen_obstacle_1 = 1.2;
+  double seen_floor_1 = -0.7;
+  double near_m = 1.5;
+  double most_seen_1 = 3.0;
+  // Floor is believed up to so much before an obstacle, or before the end of what was seen.
+  double floor_margin_m = 0.08;
+
+  // One firing of a sonar. Silence says little: a smooth surface met at a slant does not answer.
+  double heard_1 = 0.9;
+  double silent_1 = -0.35;
+  double most_heard_1 = 1.8;
+  double half_cone_rad = 0.14;     // in which silence counts as free
+  double silence_reach_m = 2.0;    // and how far
+  double silence_margin_m = 0.20;  // and how far before an echo
+
+  double felt_1 = 2.0;  // infrared and bumpers
+
+  double occupied_1 = 0.6;       // from here on a cell is an obstacle ...
+  double free_again_1 = 0.2;     // ... until it falls below this
+  double surely_floor_1 = -0.5;  // seen so: echoes from there are of something else
+  double seen_memory_s = 90.0;   // evidence falls to 1/e in this time: odometry drifts
+  double heard_memory_s = 8.0;
+  double felt_memory_s = 6.0;
+
+  std::optional<std::string> Validate() const;
+};
+
+// A cell of the map; (0, 0) has its corner at the origin of W.
+struct GridCell {
+  int x = 0;
+  int y = 0;
+  friend bool operator==(const GridCell&, const GridCell&) = default;
+};
+
+// Cells [first, last], both included.
+struct GridWindow {
+  GridCell first;
+  GridCell last;
+  int width() const { return last.x - first.x + 1; }
+  int height() const { return last.y - first.y + 1; }
+};
+
+// A map of where obstacles are, in the odometry frame W, from all sensors that feel or see them.
+//
+// Source: Moravec and Elfes (1985), Thrun et al., "Probabilistic Robotics" (2005), ch. 9: evidence
+// adds up as log-odds, free space from a sensor to what it met, an obstacle there.
+//
+// Deviations: the three kinds of sensor are kept apart and only their conclusions meet, for one
+// must not erase what another knows better: what the floor camera saw stands whatever the sonars
+// say; what they heard stands only where the camera has not seen floor. An echo comes from an arc
+// and counts on the sensor's axis. A sonar's reading counts once, when it changes: each is up to a
+// ring's round old. Every occupied cell remembers where in it the obstacle was met, so that gaps
+// are not narrowed by the cells' size. Evidence fades to "unknown".
+//
+// Time is the caller's, in seconds, and must not run backwards. The map does not move with the
+// robot; it must be cleared when odometry starts anew.
+class OccupancyGrid {
+ public:
+  explicit OccupancyGrid(const OccupancyGridOptions& options);
+
+  // One floor picture. Columns run from left to right as FloorObstacles gives them, frame R.
+  void SeeFloor(double now_s, const geometry::RigidTransform& X_WR,
+                std::span<const FloorColumn> columns);
+  void Hear(double now_s, const sensor::SonarScan& scan, const RingOptions& rings);
+  // Points of R that the infrared ring or a bumper met.
+  void Feel(double now_s, const geometry::RigidTransform& X_WR,
+            std::span<const Eigen::Vector2d> points_R_m);
+  // Forgets what may be a mistake: all obstacles but those that the camera saw twice near by, and
+  // those that were felt.
+  void ForgetDoubtful();
+  void Clear();
+
+  double cell_m() const { return options_.cell_m; }
+  GridCell CellAt(const Eigen::Vector2d& p_W_m) const;
+  Eigen::Vector2d Middle(GridCell cell) const {
+    return {(cell.x + 0.5) * options_.cell_m, (cell.y + 0.5) * options_.cell_m};
+  }
+  bool Covers(GridCell cell) const;
+  // Where in the cell an obstacle is; nothing where there is none, or off the map.
+  std::optional<Eigen::Vector2d> ObstacleIn(GridCell cell) const;
+  // Whether the floor camera has ever looked there and its evidence is not forgotten.
+  bool IsSeen(GridCell cell) const;
+  // All obstacles within a square of half side `reach_m` round a place, into `points_W_m`.
+  void ObstaclesNear(const Eigen::Vector2d& p_W_m, double reach_m,
+                     std::vector<Eigen::Vector2d>* points_W_m) const;
+  // The cells that anything is known of; nothing before the first evidence.
+  std::optional<GridWindow> known() const;
+  // Grows whenever a cell becomes an obstacle or ceases to be one.
+  int64_t revision() const { return revision_; }
+
+ private:
+  struct Evidence {
+    float seen_1 = 0.0F;
+    float heard_1 = 0.0F;
+    float felt_1 = 0.0F;
+    bool occupied = false;
+    Eigen::Vector2f at_W_m = Eigen::Vector2f::Zero();  // where it was met
+    int64_t picture = 0;                               // the last, or firing, that told of it
+  };
+  Evidence* Touch(GridCell cell);  // is known of from now on
+  Evidence* At(GridCell cell);
+  const Evidence* At(GridCell cell) const;
+  void Meet(const Eigen::Vector2d& p_W_m, Evidence* evidence);
+  void Judge(Evidence* evidence);
+  void Fade(double now_s);
+  template <typename Visit>
+  void AlongRay(const Eigen::Vector2d& from_W_m, const Eigen::Vector2d& to_W_m, Visit visit);
+  void HearOne(const sensor::SonarScan& scan, int sensor, const RingOptions& rings);
+
+  OccupancyGridOptions options_;
+  int half_;  // cells from the origin to a side
+  std::vector<Evidence> cells_;
+  GridWindow known_;
+  bool any_known_ = false;
+  double faded_s_ = 0.0;
+  bool fading_ = false;
+  int64_t pictures_ = 0;
+  int64_t revision_ = 0;
+  std::array<double, sensor::kSonarCount> last_range_m_{};
+  bool heard_any_ = false;
+};
+
+}  // namespace geon::navigation
