@@ -1,6 +1,7 @@
 #include "mission/approach_phase.h"
 
 #include <cmath>
+#include <string>
 
 namespace geon::mission {
 
@@ -11,10 +12,15 @@ constexpr double kFacingTarget_rad = 0.10;
 constexpr int kFloorLooks = 3;      // that may tell a desk from floor, before arriving at either
 constexpr double kUnseen_s = 12.0;  // then the estimate is no longer trusted
 
+std::string ApproachText(double distance_m) {
+  return "approaching the target, " + std::to_string(distance_m).substr(0, 4) + " m away";
+}
+
 }  // namespace
 
 void ApproachPhase::Enter(Context* context) {
   context->drive.Rest();
+  context->map_drive.Rest();
   context->view.reset();
   odometry_epoch_ = context->senses.odometry_epoch();
   seen_s_ = nearer_s_ = context->time_s;
@@ -40,6 +46,26 @@ Transition ApproachPhase::Step(Context* context) {
   if (target_R_m.norm() <= context->stop_distance_m + context->options.looking.stop_tolerance_m) {
     return Arrive(context, target_R_m);
   }
+  if (context->options.driving.planner == PlannerKind::kMap) return DriveByMap(context, *target);
+  return DriveByRule(context, *target);
+}
+
+Transition ApproachPhase::DriveByMap(Context* context, const SupportHypothesis& target) {
+  MapDrive::Answer answer = context->map_drive.Toward(context->time_s, target.p_WFoot_m,
+                                                      context->stop_distance_m, &context->senses);
+  context->text =
+      answer.text.empty() ? ApproachText(InRobot(*context, target.p_WFoot_m).norm()) : answer.text;
+  context->wishes.velocity = answer.velocity;
+  if (answer.unreachable) {
+    Next end{Phase::kDone, *answer.unreachable};
+    end.outcome = sensor::MissionOutcome::kUnreachable;
+    return end;
+  }
+  return std::nullopt;
+}
+
+Transition ApproachPhase::DriveByRule(Context* context, const SupportHypothesis& target) {
+  const double distance_m = InRobot(*context, target.p_WFoot_m).norm();
   if (context->time_s < wander_until_s_) {
     context->text = "trapped, wandering to find another way";
     context->wishes.velocity = context->drive.Wander(context->time_s, context->senses);
@@ -47,11 +73,10 @@ Transition ApproachPhase::Step(Context* context) {
     nearer_s_ = context->time_s;
     return std::nullopt;
   }
-  context->text =
-      "approaching the target, " + std::to_string(target_R_m.norm()).substr(0, 4) + " m away";
+  context->text = ApproachText(distance_m);
   context->wishes.velocity = context->drive.Toward(context->time_s, context->senses,
-                                                   target->p_WFoot_m, context->stop_distance_m);
-  return GuardProgress(context, target_R_m.norm());
+                                                   target.p_WFoot_m, context->stop_distance_m);
+  return GuardProgress(context, distance_m);
 }
 
 void ApproachPhase::See(Context* context) {

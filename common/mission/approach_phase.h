@@ -5,8 +5,9 @@
 namespace geon::mission {
 
 // Drives to about 90 cm before the target (thesis 4.3), the head kept on it, both cameras telling
-// where it is. Trapped (no nearer for some seconds): wanders a little and tries again; the thesis's
-// rule needs that in a few pens of a hundred. Ends facing the target, standing still.
+// where it is. With the planner `thesis`, trapped (no nearer for some seconds): wanders a little
+// and tries again; its rule needs that in a few pens of a hundred. With `map`, see MapDrive. Ends
+// facing the target, standing still, or with the reason why it cannot be reached.
 class ApproachPhase {
  public:
   void Enter(Context* context);
@@ -16,6 +17,8 @@ class ApproachPhase {
   void See(Context* context);
   void KeepHeadOn(Context* context, const SupportHypothesis& target);
   Transition Arrive(Context* context, const Eigen::Vector2d& target_R_m);
+  Transition DriveByMap(Context* context, const SupportHypothesis& target);
+  Transition DriveByRule(Context* context, const SupportHypothesis& target);
   Transition GuardProgress(Context* context, double distance_m);
 
   int odometry_epoch_ = 0;

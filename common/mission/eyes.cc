@@ -52,7 +52,8 @@ std::optional<HeadSighting> Eyes::LookHead(const PoseHistory& history) {
   sighting.head = head->head;
   sighting.still = head->still;
   sighting.X_WR = *X_WR;
-  sighting.seen = head_finder_.Find(sighting.image);
+  sighting.seen =
+      head_seen_ ? *std::exchange(head_seen_, std::nullopt) : head_finder_.Find(sighting.image);
   return sighting;
 }
 
@@ -61,8 +62,12 @@ std::optional<FloorSighting> Eyes::LookFloor(const PoseHistory& history, bool pa
   const sensor::Image image = *std::exchange(floor_image_, std::nullopt);
   const auto X_WR = history.RobotAt(image.utime);
   if (!X_WR) return std::nullopt;
-  FloorSighting sighting;
-  sighting.X_WR = *X_WR;
+  FloorSeen seen =
+      floor_seen_ ? *std::exchange(floor_seen_, std::nullopt) : LookAtFloor(image, patch_is_free);
+  return FloorSighting{*X_WR, std::move(seen.target), std::move(seen.columns)};
+}
+
+FloorSeen Eyes::LookAtFloor(const sensor::Image& image, bool patch_is_free) {
   const cv::Mat bgr = AsBgr(image);
   if (options_.learn_floor && !floor_learned_ && patch_is_free) {
     const auto learned = navigation::LearnFloor(bgr, rig_.floor_camera, rig_.X_RF,
@@ -70,11 +75,9 @@ std::optional<FloorSighting> Eyes::LookFloor(const PoseHistory& history, bool pa
     floor_learned_ = learned.has_value();
     floor_model_ = learned.value_or(options_.floor_model);
   }
-  sighting.columns =
-      navigation::FloorObstacles(navigation::NotFloorMask(bgr, floor_model_), rig_.floor_camera,
-                                 rig_.X_RF, options_.floor_obstacles);
-  sighting.seen = floor_finder_.Find(image);
-  return sighting;
+  return {floor_finder_.Find(image),
+          navigation::FloorObstacles(navigation::NotFloorMask(bgr, floor_model_), rig_.floor_camera,
+                                     rig_.X_RF, options_.floor_obstacles)};
 }
 
 }  // namespace geon::mission

@@ -28,7 +28,7 @@ std::vector<Eigen::Vector2d> InWorld(const geometry::RigidTransform& X_WR,
                                      std::span<const Eigen::Vector2d> points_R_m) {
   std::vector<Eigen::Vector2d> points_W_m;
   for (const Eigen::Vector2d& p_m : points_R_m) {
-    points_W_m.emplace_back((X_WR * Eigen::Vector3d(p_m.x(), p_m.y(), 0.0)).head<2>());
+    points_W_m.push_back(geometry::OnGround(X_WR, p_m));
   }
   return points_W_m;
 }
@@ -51,6 +51,7 @@ Mission::Mission(const MissionOptions& options, const geometry::SensorRig& rig, 
                Senses(options, rig),
                Head(run_id),
                Drive(options, options.seed),
+               MapDrive(options),
                TargetTrack(options.looking, rig),
                {},
                run_id,
@@ -174,8 +175,7 @@ void Mission::Enter(const Next& next) {
       break;
     case Phase::kDone:
       verdict_ = next.verdict;
-      outcome_ = verdict_ && verdict_->decided ? sensor::MissionOutcome::kNamed
-                                               : sensor::MissionOutcome::kFailed;
+      outcome_ = verdict_ && verdict_->decided ? sensor::MissionOutcome::kNamed : next.outcome;
       if (verdict_) context_.text = Sentence(*verdict_);
       context_.wishes.scan_command = sensor::ScanCommand();  // lasers off
       break;
@@ -209,9 +209,13 @@ sensor::PlannerState Mission::State() const {
   if (const SupportHypothesis* target = context_.target.Best()) {
     state.p_WTarget_m = target->p_WFoot_m;
   }
+  const bool by_map = options_.driving.planner == PlannerKind::kMap && phase_ == Phase::kApproach;
   if (Drives(phase_)) {
-    state.safe_polygon_W_m = InWorld(X_WR, context_.drive.polygon_R().vertices());
-    state.p_WWaypoint_m = InWorld(X_WR, std::span(&context_.drive.waypoint_R_m(), 1)).front();
+    const auto show = [&](const auto& drive) {
+      state.safe_polygon_W_m = InWorld(X_WR, drive.polygon_R().vertices());
+      state.p_WWaypoint_m = InWorld(X_WR, std::span(&drive.waypoint_R_m(), 1)).front();
+    };
+    by_map ? show(context_.map_drive) : show(context_.drive);
   } else {
     state.p_WWaypoint_m = X_WR.translation().head<2>();
   }

@@ -35,6 +35,17 @@ std::optional<ScanMode> ScanModeFromString(std::string_view name) {
   return std::nullopt;
 }
 
+std::string_view ToString(PlannerKind planner) {
+  return planner == PlannerKind::kMap ? "map" : "thesis";
+}
+
+std::optional<PlannerKind> PlannerKindFromString(std::string_view name) {
+  for (const PlannerKind planner : {PlannerKind::kThesis, PlannerKind::kMap}) {
+    if (name == ToString(planner)) return planner;
+  }
+  return std::nullopt;
+}
+
 bool SeeingOptions::IsValid(std::string* error) const {
   for (const auto& attention : {head, floor}) {
     if (const auto wrong = attention.Validate()) return Fail(error, *wrong);
@@ -50,11 +61,16 @@ bool DrivingOptions::IsValid(std::string* error) const {
           {wander_s, wander_min_move_m, back_off_m, back_off_speed_m_s, progress_m, progress_s})) {
     return Fail(error, "distances, speeds and times of driving must be positive");
   }
-  if (safe_polygon.clearance_m - safe_polygon.slack_m <= velocity.body_radius_m) {
-    return Fail(error, "clearance_m - slack_m must be greater than the robot's radius");
+  for (const auto& polygon : {safe_polygon, map_polygon}) {
+    if (polygon.clearance_m - polygon.slack_m <= velocity.body_radius_m) {
+      return Fail(error, "clearance_m - slack_m must be greater than the robot's radius");
+    }
   }
-  return safe_polygon.IsValid(error) && velocity.IsValid(error) && rings.IsValid(error) &&
-         memory.IsValid(error);
+  for (const auto& wrong : {map.Validate(), cost_to_go.Validate()}) {
+    if (wrong) return Fail(error, *wrong);
+  }
+  return safe_polygon.IsValid(error) && map_polygon.IsValid(error) && velocity.IsValid(error) &&
+         rings.IsValid(error) && memory.IsValid(error);
 }
 
 bool LookingOptions::IsValid(std::string* error) const {

@@ -11,8 +11,10 @@
 #include "active_vision/search_pattern.h"
 #include "attention/color_model.h"
 #include "attention/find_target.h"
+#include "navigation/cost_to_go.h"
 #include "navigation/floor_obstacles.h"
 #include "navigation/obstacle_memory.h"
+#include "navigation/occupancy_grid.h"
 #include "navigation/ring_obstacles.h"
 #include "navigation/safe_polygon.h"
 #include "navigation/velocity_law.h"
@@ -35,12 +37,22 @@ struct SeeingOptions {
   bool IsValid(std::string* error) const;
 };
 
+// Who says where to drive: the thesis's rule (4.3), or what a map of obstacles says it costs.
+enum class PlannerKind { kThesis, kMap };
+std::string_view ToString(PlannerKind planner);
+std::optional<PlannerKind> PlannerKindFromString(std::string_view name);
+
 // How the robot moves.
 struct DrivingOptions {
+  PlannerKind planner = PlannerKind::kMap;
   navigation::SafePolygonOptions safe_polygon;
   navigation::VelocityLawOptions velocity;
   navigation::RingOptions rings;
-  navigation::ObstacleMemoryOptions memory;
+  navigation::ObstacleMemoryOptions memory;  // of the planner `thesis`
+  // Of the planner `map`: obstacles are known better, so that it may pass nearer to them.
+  navigation::OccupancyGridOptions map;
+  navigation::CostToGoOptions cost_to_go;
+  navigation::SafePolygonOptions map_polygon{0.31, 0.02, 2.0};
   double wander_s = 7.0;  // one leg of wandering
   double wander_min_move_m = 0.6;
   double back_off_m = 0.20;  // "move backwards a little" (thesis 4.2.2)

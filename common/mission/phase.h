@@ -10,10 +10,12 @@
 #include "geometry/sensor_rig.h"
 #include "mission/drive.h"
 #include "mission/head.h"
+#include "mission/map_drive.h"
 #include "mission/mission_options.h"
 #include "mission/senses.h"
 #include "mission/target_track.h"
 #include "sensor/geon_verdict.h"
+#include "sensor/planner_state.h"
 #include "sensor/scan_set.h"
 #include "sensor/stripe.h"
 #include "sensor/target_mask.h"
@@ -56,6 +58,7 @@ struct Context {
   Senses senses;
   Head head;
   Drive drive;
+  MapDrive map_drive;
   TargetTrack target;
   Counters counters;
   int64_t next_scan_id = 1;
@@ -87,6 +90,8 @@ struct Next {
   bool near = false;
   // For kBackOff: which way (+1 ahead, -1 back).
   double direction = -1.0;
+  // For kDone without a decided verdict.
+  sensor::MissionOutcome outcome = sensor::MissionOutcome::kFailed;
 };
 using Transition = std::optional<Next>;
 

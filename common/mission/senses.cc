@@ -13,6 +13,7 @@ namespace {
 // The robot does 0.5 m/s and states come ten times a second: more is not motion.
 constexpr double kJump_m = 0.5;
 constexpr double kSonarRound_s = 1.2;  // in which every sonar has fired
+constexpr double kMapReach_m = 2.8;    // obstacles of the map that matter to the next move
 
 }  // namespace
 
@@ -22,7 +23,9 @@ Senses::Senses(const MissionOptions& options, const geometry::SensorRig& rig)
       floor_options_(options.seeing.floor_obstacles),
       body_radius_m_(options.driving.velocity.body_radius_m),
       eyes_(options.seeing, rig),
-      memory_(options.driving.memory) {}
+      memory_(options.driving.memory) {
+  if (options.driving.planner == PlannerKind::kMap) map_.emplace(options.driving.map);
+}
 
 void Senses::Take(double now_s, const sensor::BaseState& state) {
   NoticeOdometryJump(state);
@@ -37,13 +40,30 @@ void Senses::NoticeOdometryJump(const sensor::BaseState& next) {
   }
   if (std::hypot(next.x_m - base_.x_m, next.y_m - base_.y_m) < kJump_m) return;
   memory_.Clear();
+  if (map_) map_->Clear();
   ++odometry_epoch_;
 }
 
 void Senses::Take(double now_s, const sensor::SonarScan& scan) {
   echoes_R_m_ = navigation::SonarObstacles(scan, rings_);
   if (moved_s_ < 0.0 || base_.moving) moved_s_ = now_s;
-  memory_.Feel(now_s, geometry::PlanarPose(scan.x_m, scan.y_m, scan.heading_rad), echoes_R_m_);
+  if (map_) {
+    map_->Hear(now_s, scan, rings_);
+  } else {
+    memory_.Feel(now_s, geometry::PlanarPose(scan.x_m, scan.y_m, scan.heading_rad), echoes_R_m_);
+  }
+}
+
+void Senses::Feel(double now_s, std::span<const Eigen::Vector2d> points_R_m) {
+  if (map_) {
+    map_->Feel(now_s, X_WR(), points_R_m);
+  } else {
+    memory_.Feel(now_s, X_WR(), points_R_m);
+  }
+}
+
+void Senses::ForgetDoubtfulObstacles() {
+  if (map_) map_->ForgetDoubtful();
 }
 
 bool Senses::FloorPatchIsFree(double now_s) const {
@@ -52,7 +72,7 @@ bool Senses::FloorPatchIsFree(double now_s) const {
 }
 
 void Senses::Take(double now_s, const sensor::InfraredScan& infrared) {
-  memory_.Feel(now_s, X_WR(), navigation::InfraredObstacles(infrared, rings_));
+  Feel(now_s, navigation::InfraredObstacles(infrared, rings_));
 }
 
 void Senses::Take(double now_s, const sensor::BumperState& bumpers) {
@@ -63,7 +83,7 @@ void Senses::Take(double now_s, const sensor::BumperState& bumpers) {
     contacts_R_m.emplace_back(body_radius_m_ * std::cos(bumpers.bearing_rad[i]),
                               body_radius_m_ * std::sin(bumpers.bearing_rad[i]));
   }
-  memory_.Feel(now_s, X_WR(), contacts_R_m);
+  Feel(now_s, contacts_R_m);
 }
 
 void Senses::Take(double now_s, const sensor::PtuState& state) {
@@ -77,23 +97,29 @@ void Senses::Take(double now_s, const sensor::LaserState& state) {
   laser_at_s_ = now_s;
 }
 
-void Senses::TakeHeadImage(double now_s, sensor::Image image) {
+void Senses::TakeHeadImage(double now_s, sensor::Image image,
+                           std::optional<attention::TargetSighting> seen) {
   head_at_s_ = now_s;
-  eyes_.TakeHead(std::move(image));
+  eyes_.TakeHead(std::move(image), std::move(seen));
 }
 
-void Senses::TakeFloorImage(double now_s, sensor::Image image) {
+void Senses::TakeFloorImage(double now_s, sensor::Image image, std::optional<FloorSeen> seen) {
   floor_at_s_ = now_s;
-  eyes_.TakeFloor(std::move(image));
+  eyes_.TakeFloor(std::move(image), std::move(seen));
 }
 
 void Senses::Look(double now_s) {
   head_ = eyes_.LookHead(history_);
   floor_ = eyes_.LookFloor(history_, FloorPatchIsFree(now_s));
-  if (floor_) {
-    memory_.SeeFloor(now_s, floor_->X_WR, floor_->columns);
-    floor_looked_s_ = now_s;
+  if (floor_) floor_looked_s_ = now_s;
+  if (map_) {
+    if (floor_) map_->SeeFloor(now_s, floor_->X_WR, floor_->columns);
+    map_->ObstaclesNear(X_WR().translation().head<2>(), kMapReach_m, &obstacles_R_m_);
+    const geometry::RigidTransform X_RW = X_WR().inverse();
+    for (Eigen::Vector2d& p_m : obstacles_R_m_) p_m = geometry::OnGround(X_RW, p_m);
+    return;
   }
+  if (floor_) memory_.SeeFloor(now_s, floor_->X_WR, floor_->columns);
   memory_.Forget(now_s);
   memory_.In(X_WR().inverse(), &obstacles_R_m_);
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "mission/mission_options.h"
 #include "mission/pose_history.h"
 #include "navigation/obstacle_memory.h"
+#include "navigation/occupancy_grid.h"
 #include "sensor/base.h"
 #include "sensor/geon_verdict.h"
 #include "sensor/laser_state.h"
@@ -31,8 +33,10 @@ class Senses {
   void Take(double now_s, const sensor::InfraredScan& infrared);
   void Take(double now_s, const sensor::PtuState& state);
   void Take(double now_s, const sensor::LaserState& state);
-  void TakeHeadImage(double now_s, sensor::Image image);
-  void TakeFloorImage(double now_s, sensor::Image image);
+  // With what is seen in the picture, where somebody else has looked at it already (Eyes).
+  void TakeHeadImage(double now_s, sensor::Image image,
+                     std::optional<attention::TargetSighting> seen = {});
+  void TakeFloorImage(double now_s, sensor::Image image, std::optional<FloorSeen> seen = {});
 
   // Looks at the pictures whose poses have become known; the sightings below last until the next
   // call.
@@ -56,6 +60,10 @@ class Senses {
   geometry::RigidTransform X_WR() const;
   // What stands around the robot, frame R.
   const std::vector<Eigen::Vector2d>& obstacles_R_m() const { return obstacles_R_m_; }
+  // The map that they come from; nullptr with the planner `thesis`, which only remembers points.
+  const navigation::OccupancyGrid* map() const { return map_ ? &*map_ : nullptr; }
+  // Forgets what may have been a mistake.
+  void ForgetDoubtfulObstacles();
   // Seconds since a floor picture was last looked at: nobody drives on old pictures.
   double floor_age_s(double now_s) const { return now_s - floor_looked_s_; }
   // The whole sonar ring was heard since the robot stands, and nothing of it before the robot: the
@@ -66,6 +74,7 @@ class Senses {
 
  private:
   bool Fresh(double at_s, double now_s) const { return now_s - at_s <= patience_.stale_s; }
+  void Feel(double now_s, std::span<const Eigen::Vector2d> points_R_m);
   // What else was told before odometry jumped is forgotten.
   void NoticeOdometryJump(const sensor::BaseState& next);
 
@@ -75,7 +84,8 @@ class Senses {
   double body_radius_m_;
   PoseHistory history_;
   Eyes eyes_;
-  navigation::ObstacleMemory memory_;
+  navigation::ObstacleMemory memory_;             // of the planner `thesis`
+  std::optional<navigation::OccupancyGrid> map_;  // of the planner `map`
   std::optional<HeadSighting> head_;
   std::optional<FloorSighting> floor_;
   sensor::BaseState base_;

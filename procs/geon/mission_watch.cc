@@ -34,7 +34,7 @@ MissionWatch::MissionWatch(std::unique_ptr<messaging::Bus> bus, Progress progres
 bool MissionWatch::Ended() const {
   if (!state_) return false;
   if (state_->outcome == sensor::MissionOutcome::kNamed) return verdict_.has_value();
-  return state_->outcome == sensor::MissionOutcome::kFailed;
+  return state_->outcome != sensor::MissionOutcome::kRunning;
 }
 
 bool MissionWatch::Await(double timeout_s) {

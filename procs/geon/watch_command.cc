@@ -47,7 +47,16 @@ class ProgressLine {
 std::string OutcomeName(const MissionWatch& watch, bool ended) {
   if (!watch.state()) return "silent";
   if (!ended) return "timeout";
-  return watch.state()->outcome == sensor::MissionOutcome::kNamed ? "named" : "failed";
+  switch (watch.state()->outcome) {
+    case sensor::MissionOutcome::kNamed:
+      return "named";
+    case sensor::MissionOutcome::kUnreachable:
+      return "unreachable";
+    case sensor::MissionOutcome::kNoneFound:
+      return "none_found";
+    default:
+      return "failed";
+  }
 }
 
 void PrintJson(const MissionWatch& watch, const std::string& outcome) {

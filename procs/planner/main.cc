@@ -14,7 +14,10 @@ int Serve(const geon::planner::PlannerConfig& config, bool exit_when_done,
     if (exit_when_done) daemon.loop->Stop();
   });
   daemon.loop->Run();
-  return exit_when_done && node.outcome() == geon::sensor::MissionOutcome::kFailed ? 1 : 0;
+  using geon::sensor::MissionOutcome;
+  const bool failed =
+      node.outcome() != MissionOutcome::kRunning && node.outcome() != MissionOutcome::kNamed;
+  return exit_when_done && failed ? 1 : 0;
 }
 
 }  // namespace

@@ -35,6 +35,11 @@ void ReadFloor(config::YamlSection section, mission::SeeingOptions* seeing) {
 }
 
 void ReadDriving(config::YamlSection section, mission::DrivingOptions* driving) {
+  std::string planner = "map";
+  section.ReadOptional("planner", &planner);
+  const auto kind = mission::PlannerKindFromString(planner);
+  section.Check(kind.has_value(), "planner", "must be thesis or map");
+  driving->planner = kind.value_or(driving->planner);
   section.Read("max_speed_m_s", &driving->velocity.max_speed_m_s);
   section.ReadAngle("max_turn_rate_deg_s", &driving->velocity.max_turn_rate_rad_s);
   section.Read("acceleration_m_s2", &driving->velocity.acceleration_m_s2);

@@ -31,21 +31,38 @@ TEST(ApproachPhaseTest, GoesRoundABoxInTheWay) {
       << world.Text();
 }
 
-TEST(ApproachPhaseTest, TrappedItWandersAndAtLastGivesUpWithTheReason) {
-  MissionOptions options = FastOptions();
-  options.patience.traps = 1;
-  FakeWorld world(options);
-  world.blocks[0].center_W_m = {3.2, 0.0};
-  // A cell too narrow to leave, low enough to look over.
+// The robot in a closed cell of this size, low enough to look over.
+void WallIn(double half_m, double top_m, FakeWorld* world) {
+  world->blocks[0].center_W_m = {3.7, 0.0};
   const cv::Scalar gray(120, 90, 90);
   for (const double side : {-1.0, 1.0}) {
-    world.blocks.push_back({{0.6, 0.75 * side}, {1.5, 0.02}, 0.0, 0.1, gray});
-    world.blocks.push_back({{0.55 + 0.6 * side, 0.0}, {0.02, 0.75}, 0.0, 0.1, gray});
+    world->blocks.push_back({{0.5, half_m * side}, {half_m, 0.02}, 0.0, top_m, gray});
+    world->blocks.push_back({{0.5 + half_m * side, 0.0}, {0.02, half_m}, 0.0, top_m, gray});
   }
-  world.pose.x() = 0.5;
+  world->pose.x() = 0.5;
+}
+
+TEST(ApproachPhaseTest, ByTheThesissRuleItWandersWhenTrappedAndAtLastGivesUpWithTheReason) {
+  MissionOptions options = FastOptions();
+  options.driving.planner = PlannerKind::kThesis;
+  options.patience.traps = 1;
+  FakeWorld world(options);
+  WallIn(0.65, 0.1, &world);
   ASSERT_TRUE(world.RunToTheEnd());
   EXPECT_EQ(world.mission().outcome(), sensor::MissionOutcome::kFailed);
   EXPECT_FALSE(world.Touches());
+}
+
+TEST(ApproachPhaseTest, ByTheMapATargetWithoutAWayIsUnreachable) {
+  FakeWorld world(FastOptions());
+  WallIn(1.1, 0.3, &world);
+  ASSERT_TRUE(world.RunUntil(
+      [&] {
+        EXPECT_FALSE(world.Touches());
+        return world.mission().phase() == Phase::kDone || testing::Test::HasFailure();
+      },
+      200.0));
+  EXPECT_EQ(world.mission().outcome(), sensor::MissionOutcome::kUnreachable) << world.Text();
 }
 
 TEST(ApproachPhaseTest, ATargetThatIsGoneIsSearchedFor) {

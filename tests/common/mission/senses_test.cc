@@ -57,7 +57,7 @@ TEST_F(SensesTest, EchoesStayWhereTheyWereWhenTheRobotMoves) {
   senses_.Take(0.1, base);
   senses_.Look(0.1);
   ASSERT_EQ(senses_.obstacles_R_m().size(), 1u);
-  EXPECT_NEAR(senses_.obstacles_R_m()[0].x(), 0.925, 1e-9);
+  EXPECT_NEAR(senses_.obstacles_R_m()[0].x(), 0.925, 1e-6);
 }
 
 TEST_F(SensesTest, AJumpOfOdometryForgetsPlaces) {

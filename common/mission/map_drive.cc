@@ -1,0 +1,204 @@
+#include "mission/map_drive.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angles.h"
+#include "navigation/safe_polygon.h"
+#include "navigation/viewing_positions.h"
+#include "navigation/waypoint.h"
+
+namespace geon::mission {
+namespace {
+
+constexpr double kMapEvery_s = 0.3;  // at most so often, and when the map changed
+constexpr double kSameTarget_m = 0.05;
+constexpr double kBeyond_m = 1.0;   // of the window, beyond all that is known
+constexpr double kNearer_m = 0.05;  // progress
+constexpr double kWithin_s = 3.0;
+constexpr double kInside_m = 0.04;       // of the stopping distance: half a cell's diagonal
+constexpr double kRecovered_m = 0.5;     // moved: the next trouble is a new one
+constexpr double kRing_s = 1.3;          // all sonars have fired
+constexpr double kTurnRate_rad_s = 0.8;  // for the floor camera's pictures to overlap
+constexpr double kStepBack_s = 3.0;
+
+navigation::GridWindow Including(navigation::GridWindow window, navigation::GridCell cell,
+                                 int margin) {
+  window.first = {std::min(window.first.x, cell.x - margin),
+                  std::min(window.first.y, cell.y - margin)};
+  window.last = {std::max(window.last.x, cell.x + margin),
+                 std::max(window.last.y, cell.y + margin)};
+  return window;
+}
+
+// Gaps look narrower from afar than they are: where nothing else leads on, the robot goes and looks
+// whether one that seems a little too tight lets it pass. The safe polygon decides.
+navigation::CostToGoOptions Tight(const DrivingOptions& options) {
+  constexpr double kTight_1 = 0.85;  // of the body's radius
+  navigation::CostToGoOptions tight = options.cost_to_go;
+  tight.least_clearance_m =
+      std::min(tight.least_clearance_m, kTight_1 * options.velocity.body_radius_m);
+  return tight;
+}
+
+}  // namespace
+
+MapDrive::MapDrive(const MissionOptions& options)
+    : options_(options.driving),
+      easy_cost_(options.driving.cost_to_go),
+      tight_cost_(Tight(options.driving)) {}
+
+void MapDrive::Rest() {
+  follower_.Rest();
+  mapped_W_m_.reset();
+  started_ = recovering_ = false;
+  recovery_ = Recovery::kNone;
+}
+
+MapDrive::Answer MapDrive::Toward(double now_s, const Eigen::Vector2d& p_WTarget_m,
+                                  double stop_distance_m, Senses* senses) {
+  stop_distance_m_ = stop_distance_m;
+  own_m_ = std::max(0.0, stop_distance_m - options_.map_polygon.clearance_m);
+  Map(now_s, p_WTarget_m, *senses);
+  const geometry::RigidTransform X_WR = senses->X_WR();
+  const Eigen::Vector2d target_R_m = geometry::OnGround(X_WR.inverse(), p_WTarget_m);
+  bending_R_m_.clear();
+  std::copy_if(senses->obstacles_R_m().begin(), senses->obstacles_R_m().end(),
+               std::back_inserter(bending_R_m_),
+               [&](const auto& p_m) { return (p_m - target_R_m).norm() > own_m_; });
+  polygon_R_ = navigation::SafePolygon(bending_R_m_, options_.map_polygon);
+  if (recovering_) {
+    if (auto answer = Recover(now_s, senses)) return *std::move(answer);
+  }
+  if ((X_WR.translation().head<2>() - recovered_W_m_).norm() > kRecovered_m) {
+    recovery_ = Recovery::kNone;
+  }
+  const navigation::OccupancyGrid& map = *senses->map();
+  const double cost_m = cost_->At(map.CellAt(X_WR.translation().head<2>()));
+  const auto waypoint_R_m = navigation::WaypointByCost(polygon_R_, X_WR, map, *cost_);
+  if (!Progresses(now_s, cost_m)) {
+    StartRecovery(now_s, *senses);
+    return Recover(now_s, senses).value_or(Answer{});
+  }
+  if (!waypoint_R_m) {
+    follower_.Rest();
+    return {{}, "no way on is known", {}};
+  }
+  return {Careful(follower_.Go(now_s, *waypoint_R_m, senses->obstacles_R_m(), options_.velocity),
+                  *senses),
+          "",
+          {}};
+}
+
+navigation::DriveVelocity MapDrive::Careful(navigation::DriveVelocity velocity,
+                                            const Senses& senses) const {
+  constexpr double kSlow_m_s = 0.1;
+  constexpr double kAhead_m = 0.15;
+  if (velocity.speed_m_s <= kSlow_m_s) return velocity;
+  const navigation::OccupancyGrid& map = *senses.map();
+  const geometry::RigidTransform X_WR = senses.X_WR();
+  const double radius_m = options_.velocity.body_radius_m;
+  for (double y_m = -radius_m; y_m <= radius_m; y_m += map.cell_m()) {
+    const double rim_m = std::sqrt(std::max(0.0, radius_m * radius_m - y_m * y_m));
+    for (double x_m = rim_m + map.cell_m(); x_m <= rim_m + kAhead_m; x_m += map.cell_m()) {
+      if (map.IsSeen(map.CellAt(geometry::OnGround(X_WR, {x_m, y_m})))) continue;
+      velocity.speed_m_s = kSlow_m_s;
+      return velocity;
+    }
+  }
+  return velocity;
+}
+
+void MapDrive::Map(double now_s, const Eigen::Vector2d& p_WTarget_m, const Senses& senses) {
+  const navigation::OccupancyGrid& map = *senses.map();
+  const bool moved = !mapped_W_m_ || (*mapped_W_m_ - p_WTarget_m).norm() > kSameTarget_m;
+  if (!moved && (map.revision() == mapped_revision_ || now_s - mapped_s_ < kMapEvery_s)) return;
+  mapped_W_m_ = p_WTarget_m;
+  mapped_revision_ = map.revision();
+  mapped_s_ = now_s;
+  const auto margin = static_cast<int>(std::ceil(kBeyond_m / map.cell_m()));
+  const navigation::GridCell here = map.CellAt(senses.X_WR().translation().head<2>());
+  const navigation::GridCell target = map.CellAt(p_WTarget_m);
+  navigation::GridWindow window = Including({here, here}, target, margin);
+  window = Including(window, here, margin);
+  if (const auto known = map.known()) {
+    window = Including(window, known->first, 0);
+    window = Including(window, known->last, 0);
+  }
+  clearance_.Compute(map, window, [&](const Eigen::Vector2d& p_W_m) {
+    return (p_W_m - p_WTarget_m).norm() <= own_m_;
+  });
+  navigation::ViewingOptions viewing;
+  viewing.distance_m = stop_distance_m_ - kInside_m;
+  const auto goals = navigation::ViewingPositions(map, clearance_, p_WTarget_m, own_m_, viewing);
+  easy_cost_.Compute(map, clearance_, goals);
+  cost_ = &easy_cost_;
+  if (std::isfinite(easy_cost_.At(here))) return;
+  tight_cost_.Compute(map, clearance_, goals);
+  cost_ = &tight_cost_;
+}
+
+bool MapDrive::Progresses(double now_s, double cost_m) {
+  // A way that is longer than was thought is a new one to make progress on.
+  constexpr double kNewWay_m = 0.15;
+  if (!started_ || cost_m < best_cost_m_ - kNearer_m || cost_m > best_cost_m_ + kNewWay_m) {
+    const bool better = !started_ || std::isfinite(cost_m) || std::isfinite(best_cost_m_);
+    best_cost_m_ = cost_m;
+    started_ = true;
+    if (better) better_s_ = now_s;
+  }
+  if (!std::isfinite(cost_m)) return now_s - better_s_ <= 0.5 * kWithin_s;
+  return now_s - better_s_ <= kWithin_s;
+}
+
+void MapDrive::StartRecovery(double now_s, const Senses& senses) {
+  recovery_ = recovery_ == Recovery::kGiveUp
+                  ? Recovery::kGiveUp
+                  : static_cast<Recovery>(static_cast<int>(recovery_) + 1);
+  recovering_ = true;
+  recovery_s_ = now_s;
+  turned_rad_ = 0.0;
+  last_heading_rad_ = senses.base().heading_rad;
+  recovered_cost_m_ = best_cost_m_;
+  recovered_W_m_ = senses.X_WR().translation().head<2>();
+  follower_.Rest();
+}
+
+std::optional<MapDrive::Answer> MapDrive::Recover(double now_s, Senses* senses) {
+  const auto end = [&]() -> std::optional<Answer> {
+    recovering_ = started_ = false;
+    return std::nullopt;
+  };
+  switch (recovery_) {
+    case Recovery::kListen:
+      if (now_s - recovery_s_ > kRing_s) return end();
+      return Answer{{}, "no nearer: listening to all sonars again", {}};
+    case Recovery::kForget:
+      senses->ForgetDoubtfulObstacles();
+      return end();
+    case Recovery::kLookRound: {
+      const double heading_rad = senses->base().heading_rad;
+      turned_rad_ += WrapAngle(heading_rad - last_heading_rad_);
+      last_heading_rad_ = heading_rad;
+      if (turned_rad_ > 2.0 * kPi || now_s - recovery_s_ > 20.0) return end();
+      return Answer{{0.0, kTurnRate_rad_s}, "no nearer: looking all round", {}};
+    }
+    case Recovery::kStepBack:
+      if (now_s - recovery_s_ > kStepBack_s) return end();
+      return Answer{navigation::Creep(-1.0, options_.back_off_m, options_.back_off_speed_m_s,
+                                      senses->obstacles_R_m(), options_.velocity),
+                    "no nearer: stepping back",
+                    {}};
+    case Recovery::kGiveUp:
+      return Answer{{},
+                    "",
+                    std::isfinite(recovered_cost_m_)
+                        ? "unreachable: the robot comes no nearer on the way that the map shows"
+                        : "unreachable: obstacles close every way to where the target can be seen"};
+    case Recovery::kNone:
+      break;
+  }
+  return end();
+}
+
+}  // namespace geon::mission

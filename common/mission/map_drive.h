@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/convex_polygon.h"
+#include "mission/mission_options.h"
+#include "mission/senses.h"
+#include "mission/waypoint_follower.h"
+#include "navigation/clearance_field.h"
+#include "navigation/cost_to_go.h"
+#include "navigation/velocity_law.h"
+
+namespace geon::mission {
+
+// The planner `map`: drives to where a target can be looked at, by what the map of obstacles says
+// it costs from everywhere (cost_to_go.h), one straight move within the safe polygon after another
+// (thesis 4.3). It notices when it comes no nearer and then tries, in this order: hear the whole
+// sonar ring anew, forget what may have been a mistake, look all round, step back. What none of
+// these opens is unreachable, and why is told.
+class MapDrive {
+ public:
+  explicit MapDrive(const MissionOptions& options);
+  MapDrive(const MapDrive&) = delete;
+  MapDrive& operator=(const MapDrive&) = delete;
+
+  struct Answer {
+    navigation::DriveVelocity velocity;
+    std::string text;                        // what is being done, when it is not driving on
+    std::optional<std::string> unreachable;  // why
+  };
+  // Toward a place in W, to stop at most `stop_distance_m` before it.
+  Answer Toward(double now_s, const Eigen::Vector2d& p_WTarget_m, double stop_distance_m,
+                Senses* senses);
+
+  // Starts anew: another target, or something else took over meanwhile.
+  void Rest();
+
+  // What the last answer was made of, frame R, for people.
+  const geometry::ConvexPolygon& polygon_R() const { return polygon_R_; }
+  const Eigen::Vector2d& waypoint_R_m() const { return follower_.waypoint_R_m(); }
+
+ private:
+  enum class Recovery { kNone, kListen, kForget, kLookRound, kStepBack, kGiveUp };
+  void Map(double now_s, const Eigen::Vector2d& p_WTarget_m, const Senses& senses);
+  std::optional<Answer> Recover(double now_s, Senses* senses);
+  void StartRecovery(double now_s, const Senses& senses);
+  // Slow where the body comes upon ground that no picture showed.
+  navigation::DriveVelocity Careful(navigation::DriveVelocity velocity, const Senses& senses) const;
+  // Whether the cost from here fell lately; else something must be tried.
+  bool Progresses(double now_s, double cost_m);
+
+  DrivingOptions options_;
+  double stop_distance_m_ = 0.0;
+  double own_m_ = 0.0;
+  std::vector<Eigen::Vector2d> bending_R_m_;
+  navigation::ClearanceField clearance_;
+  // To the target: along ways of the clearance that is kept, and along tighter ones.
+  navigation::CostToGo easy_cost_, tight_cost_;
+  const navigation::CostToGo* cost_ = &easy_cost_;  // in use
+  std::optional<Eigen::Vector2d> mapped_W_m_;       // the target that cost_ leads to
+  int64_t mapped_revision_ = -1;
+  double mapped_s_ = 0.0;
+  geometry::ConvexPolygon polygon_R_;
+  WaypointFollower follower_;
+
+  double best_cost_m_ = 0.0;
+  double better_s_ = 0.0;
+  bool started_ = false;
+  Recovery recovery_ = Recovery::kNone;  // being tried, or tried last
+  bool recovering_ = false;
+  double recovery_s_ = 0.0;
+  double turned_rad_ = 0.0;
+  double last_heading_rad_ = 0.0;
+  double recovered_cost_m_ = 0.0;  // when it began, and where
+  Eigen::Vector2d recovered_W_m_ = Eigen::Vector2d::Zero();
+};
+
+}  // namespace geon::mission
