@@ -19,7 +19,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kDeskHeight_m = 0.7;
 constexpr double kSunLevel_1 = 3.0;  // of the lamp's
 const Vector3d kTargetColor_rgb(150.0, 40.0, 40.0);
 

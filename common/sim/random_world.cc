@@ -13,7 +13,6 @@
 namespace geon::sim {
 namespace {
 
-constexpr double kDeskHeight_m = 0.7;
 constexpr double kClearance_m = 0.15;       // a path keeps so far from everything
 constexpr double kViewingNearest_m = 0.85;  // from the geon to where the robot stands to look at it
 constexpr double kViewingFarthest_m = 1.05;

@@ -80,6 +80,7 @@ class SimulatedRobot {
   RobotTruth truth() const;
   double time_s() const { return static_cast<double>(steps_) * kStep_s; }
   const std::shared_ptr<const Scene>& scene() const { return scene_; }
+  uint64_t seed() const { return seed_; }
   // Develops the frames of this individual.
   RigRenderer MakeRenderer() const;
 

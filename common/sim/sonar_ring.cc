@@ -97,6 +97,12 @@ uint8_t SonarRing::Ping(int sensor, const RingPose& pose) {
   if (noise_.Chance(options_.crosstalk_probability_1)) {
     range_in = noise_.Uniform(kNearest_in, std::min<double>(range_in, kNoEcho_in));
   }
+  if (options_.specular_probability_1 > 0.0 && noise_.Chance(options_.specular_probability_1)) {
+    range_in = noise_.Uniform(std::min<double>(range_in, kNoEcho_in), kNoEcho_in);
+  }
+  if (options_.deaf_probability_1 > 0.0 && noise_.Chance(options_.deaf_probability_1)) {
+    range_in = kNoEcho_in;
+  }
   return static_cast<uint8_t>(std::clamp<long>(std::lround(range_in), kNearest_in, kNoEcho_in));
 }
 

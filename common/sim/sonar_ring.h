@@ -29,6 +29,8 @@ struct SonarRingOptions {
   double sigma_1 = 0.01;                     // of the range, but at least half an inch
   bool double_bounce = true;                 // corners answer by way of both their walls
   double multiple_echo_probability_1 = 0.3;  // a wall too near is heard at its second echo
+  double deaf_probability_1 = 0.0;           // hears nothing
+  double specular_probability_1 = 0.0;       // misses what is there, hears something farther away
   double crosstalk_probability_1 = 0.003;    // hears what the sonar fired before it sent
   double tick_s = 0.004;                     // unit of the firing rate
   int rate = 15;                             // ticks between firings

@@ -61,6 +61,7 @@ struct World {
 };
 
 inline constexpr double kRobotRadius_m = 0.267;
+inline constexpr double kDeskHeight_m = 0.7;  // "desk of known height" (thesis 6.3)
 
 // The height an object stands at.
 double FootHeight(const World& world, const WorldObject& object);

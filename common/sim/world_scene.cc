@@ -201,7 +201,8 @@ Result<std::shared_ptr<const Scene>> BuildScene(const World& world) {
     if (!mesh.ok()) return mesh.status();
     Body body;
     const std::optional<GeonLabel> label = TrueLabel(object);
-    body.name = label ? std::string(ToString(*label)) : "object";
+    const bool is_mesh = std::holds_alternative<MeshShape>(object.shape);
+    body.name = label ? std::string(ToString(*label)) : is_mesh ? "mesh" : "box";
     body.surface_W = std::move(*mesh);
     body.material = Paint(object.color_rgb, object.reflectance_1);
     bodies.push_back(std::move(body));
