@@ -11,6 +11,7 @@ void AddExperimentCommand(CLI::App& app, int* exit_code) {
   AddExperimentBenchCommand(*command, exit_code);
   AddExperimentColorCommand(*command, exit_code);
   AddExperimentBackgroundCommand(*command, exit_code);
+  AddExperimentNavigationCommand(*command, exit_code);
   AddExperimentMergeCommand(*command, exit_code);
   AddExperimentTuneCommand(*command, exit_code);
 }

@@ -7,6 +7,7 @@
 #include "procs/geon/experiment_color_record.h"
 #include "procs/geon/experiment_record.h"
 #include "procs/geon/experiment_shapes.h"
+#include "procs/geon/navigation_record.h"
 
 namespace geon::cli {
 
@@ -15,6 +16,7 @@ void AddExperimentShapesCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentBenchCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentColorCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentBackgroundCommand(CLI::App& experiment, int* exit_code);
+void AddExperimentNavigationCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentMergeCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentTuneCommand(CLI::App& experiment, int* exit_code);
 
@@ -38,6 +40,8 @@ int Deliver(const ShapeRecord& record, double seconds, bool json,
 int Deliver(const BenchRecord& record, double seconds, bool json,
             const std::filesystem::path& output);
 int Deliver(const ColorRecord& record, double seconds, bool json,
+            const std::filesystem::path& output);
+int Deliver(const NavigationRecord& record, double seconds, bool json,
             const std::filesystem::path& output);
 
 }  // namespace geon::cli

@@ -58,6 +58,10 @@ int Merge(const MergeArguments& arguments) {
   if (values.front().value("experiment", "") == kColorExperiment) {
     return MergeAs<ColorRecord>(values, arguments, ParseColorRecord, MergeColorRecords);
   }
+  if (values.front().value("experiment", "") == kNavigationExperiment) {
+    return MergeAs<NavigationRecord>(values, arguments, ParseNavigationRecord,
+                                     MergeNavigationRecords);
+  }
   return MergeAs<ShapeRecord>(values, arguments, ParseRecord, MergeRecords);
 }
 

@@ -20,12 +20,15 @@ constexpr int64_t kPlannerTurns = 10;     // 20 Hz
 constexpr int64_t kLaserStateTurns = 20;  // 10 Hz
 constexpr int64_t kUnreadyTurns = 20;     // 10 Hz
 
-sensor::Image Taken(const sim::Exposure& exposure, sim::RigRenderer* renderer) {
-  sensor::Image image = ImageOf(sim::Develop(exposure, renderer));
+sensor::Image Stamped(const sim::Exposure& exposure, sensor::Image image) {
   image.seq = static_cast<int32_t>(exposure.seq);
   image.utime = kStart_utime + MicrosecondsFromSeconds(exposure.start_s);
   image.exposure_s = exposure.exposure_s;
   return image;
+}
+
+sensor::Image Taken(const sim::Exposure& exposure, sim::RigRenderer* renderer) {
+  return Stamped(exposure, ImageOf(sim::Develop(exposure, renderer)));
 }
 
 }  // namespace
@@ -53,6 +56,11 @@ LockstepRobot::LockstepRobot(const LockstepSettings& settings,
       assembler_(settings.rig, calibration, settings.recognizer.assembler),
       mission_(std::make_unique<mission::Mission>(settings.mission, settings.rig, kStart_utime,
                                                   time_s_)) {
+  if (settings.sensing != Sensing::kPictures) {
+    glanced_.emplace(sim::Glancer(simulated_->scene(), renderer_.built_rig(), settings.glances,
+                                  simulated_->seed()),
+                     settings.rig, settings.mission.seeing);
+  }
   if (settings.color_camera.exposure) exposure_.emplace(*settings.color_camera.exposure);
   for (const DeviceId device : sim::kDevices) simulated_->PortOpened(device);
   ptu_.Connected(time_s_);
@@ -101,8 +109,9 @@ void LockstepRobot::TurnBase() {
     senses->Take(time_s_, news.state);
     capture_.OnBaseState(news.state, time_s_);
     if (!news.measured) continue;
-    senses->Take(time_s_, news.sonar);
     senses->Take(time_s_, news.bumper);
+    if (settings_.sensing == Sensing::kPerfect) continue;
+    senses->Take(time_s_, news.sonar);
     senses->Take(time_s_, news.infrared);
   }
 }
@@ -142,7 +151,24 @@ void LockstepRobot::TurnCameras() {
   }
 }
 
+void LockstepRobot::Glance(const sim::Exposure& exposure) {
+  constexpr double kFarthest_m = 10.0;
+  mission::Senses* senses = mission_->senses();
+  const sensor::Image empty = Stamped(exposure, {});
+  if (exposure.camera == sim::CameraId::kHeadColor) {
+    senses->TakeHeadImage(time_s_, empty, glanced_->Head(exposure));
+  } else if (settings_.sensing == Sensing::kPerfect) {
+    senses->TakeFloorImage(time_s_, empty, glanced_->FloorAllRound(exposure, kFarthest_m));
+  } else {
+    senses->TakeFloorImage(time_s_, empty, glanced_->Floor(exposure));
+  }
+}
+
 void LockstepRobot::Deliver(const sim::Exposure& exposure) {
+  if (glanced_ && exposure.camera != sim::CameraId::kHeadBw) {
+    Glance(exposure);
+    return;
+  }
   const bool scanning = mission_->phase() == mission::Phase::kScan;
   switch (exposure.camera) {
     case sim::CameraId::kHeadBw:

@@ -12,6 +12,7 @@
 #include "mission/mission.h"
 #include "procs/base/base_control.h"
 #include "procs/color_camera/exposure_control.h"
+#include "procs/lockstep/glanced_eyes.h"
 #include "procs/lockstep/lockstep_settings.h"
 #include "procs/recognizer/scan_assembler.h"
 #include "procs/stripe_camera/stripe_capture.h"
@@ -26,7 +27,7 @@ namespace geon::lockstep {
 // bit, at whatever speed the machine has.
 //
 // Frames are rendered only when somebody looks at them: the B/W camera's when the stripe camera
-// waits for one, the colour cameras' while no scan runs.
+// waits for one, the colour cameras' while no scan runs and Sensing is kPictures.
 class LockstepRobot {
  public:
   static constexpr double kTurn_s = 0.005;
@@ -64,6 +65,7 @@ class LockstepRobot {
   void TakeStripe(sensor::Stripe stripe);
   void TurnCameras();
   void Deliver(const sim::Exposure& exposure);
+  void Glance(const sim::Exposure& exposure);
   void TakeHeadImage(sensor::Image image);
   void TurnPlanner();
   void Obey(const mission::Wishes& wishes);
@@ -71,6 +73,7 @@ class LockstepRobot {
   LockstepSettings settings_;
   std::unique_ptr<sim::SimulatedRobot> simulated_;
   sim::RigRenderer renderer_;
+  std::optional<GlancedEyes> glanced_;  // in place of pictures
   double time_s_ = 0.0;
   int64_t turns_ = 0;
 

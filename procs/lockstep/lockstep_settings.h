@@ -8,9 +8,17 @@
 #include "procs/ptu/ptu_config.h"
 #include "procs/recognizer/recognizer_config.h"
 #include "procs/stripe_camera/stripe_camera_config.h"
+#include "sim/glance.h"
 #include "sim/sim_config.h"
 
 namespace geon::lockstep {
+
+// Where the mission's knowledge of the world comes from.
+enum class Sensing {
+  kPictures,  // rendered pictures, looked at by the programs
+  kGlances,   // what pictures would show (sim/glance.h): no colours, no light, fast
+  kPerfect,   // obstacles all round without an error, no sonar, no infrared
+};
 
 // Everything the daemons of one robot are configured with, and what the simulated robot is like.
 struct LockstepSettings {
@@ -23,6 +31,8 @@ struct LockstepSettings {
   mission::MissionOptions mission;
   recognizer::RecognizerConfig recognizer;
   sim::SimOptions sim;
+  Sensing sensing = Sensing::kPictures;
+  sim::GlanceOptions glances;
   // From the end of an exposure until the frame is with its daemon: read-out and transport.
   double frame_delay_s = 0.03;
 };

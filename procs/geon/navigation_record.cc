@@ -1,0 +1,228 @@
+#include "procs/geon/navigation_record.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "procs/geon/bench_record.h"
+#include "procs/geon/join_shards.h"
+
+namespace geon::cli {
+namespace {
+
+using lockstep::NavigationEnd;
+using nlohmann::json;
+
+constexpr const char* kNavigationFormat = "geon.experiment.v1";
+
+json PointJson(const Eigen::Vector2d& p_m) { return {p_m.x(), p_m.y()}; }
+Eigen::Vector2d ParsePoint(const json& value) {
+  return {value.at(0).get<double>(), value.at(1).get<double>()};
+}
+
+json PointsJson(const std::vector<Eigen::Vector2d>& points_m) {
+  json value = json::array();
+  for (const Eigen::Vector2d& p_m : points_m) value.push_back(PointJson(p_m));
+  return value;
+}
+std::vector<Eigen::Vector2d> ParsePoints(const json& value) {
+  std::vector<Eigen::Vector2d> points_m;
+  for (const json& each : value) points_m.push_back(ParsePoint(each));
+  return points_m;
+}
+
+json ToJson(const NavigationTrialRecord& trial) {
+  return {{"t", trial.t},
+          {"world", trial.world},
+          {"seed", trial.seed},
+          {"expected", ToString(trial.expected)},
+          {"end", ToString(trial.end)},
+          {"why", trial.why},
+          {"first_sight_s", trial.first_sight_s ? json(*trial.first_sight_s) : json()},
+          {"end_s", trial.end_s},
+          {"contacts", trial.contacts},
+          {"hardest_contact_m_s", trial.hardest_contact_m_s},
+          {"path_m", trial.path_m}};
+}
+
+NavigationTrialRecord ParseNavigationTrial(const json& value) {
+  NavigationTrialRecord trial;
+  trial.t = value.at("t");
+  trial.world = value.at("world");
+  trial.seed = value.at("seed");
+  trial.expected =
+      lockstep::NavigationEndFromString(value.at("expected").get<std::string>()).value();
+  trial.end = lockstep::NavigationEndFromString(value.at("end").get<std::string>()).value();
+  trial.why = value.at("why");
+  if (!value.at("first_sight_s").is_null()) trial.first_sight_s = value.at("first_sight_s");
+  trial.end_s = value.at("end_s");
+  trial.contacts = value.at("contacts");
+  trial.hardest_contact_m_s = value.at("hardest_contact_m_s");
+  trial.path_m = value.at("path_m");
+  return trial;
+}
+
+json ToJson(const NavigationMap& map) {
+  json outlines = json::array();
+  for (const auto& outline_m : map.outlines_m) outlines.push_back(PointsJson(outline_m));
+  return {{"t", map.t},
+          {"pen_m", PointJson(map.pen_m)},
+          {"outlines_m", outlines},
+          {"geon_m", map.geon_m ? PointJson(*map.geon_m) : json()},
+          {"path_m", PointsJson(map.path_m)}};
+}
+
+NavigationMap ParseMap(const json& value) {
+  NavigationMap map;
+  map.t = value.at("t");
+  map.pen_m = ParsePoint(value.at("pen_m"));
+  for (const json& outline : value.at("outlines_m")) map.outlines_m.push_back(ParsePoints(outline));
+  if (!value.at("geon_m").is_null()) map.geon_m = ParsePoint(value.at("geon_m"));
+  map.path_m = ParsePoints(value.at("path_m"));
+  return map;
+}
+
+json RatesOf(const NavigationSummary& summary) {
+  const auto spread = SpreadOf(summary.times_s);
+  return {{"runs", summary.runs},
+          {"right", summary.right},
+          {"reached", summary.reached},
+          {"contacts", summary.contacts},
+          {"hardest_contact_m_s", summary.hardest_contact_m_s},
+          {"trapped", summary.trapped},
+          {"unreachable", summary.unreachable},
+          {"none_found", summary.none_found},
+          {"time_s", spread ? json{{"p50", spread->p50}, {"p95", spread->p95}, {"max", spread->max}}
+                            : json()}};
+}
+
+json RatesJson(const NavigationRecord& record) {
+  json rates = RatesOf(Summarize(record));
+  json worlds = json::object();
+  for (const std::string& world : WorldsOf(record)) {
+    worlds[world] = RatesOf(Summarize(record, world));
+  }
+  rates["worlds"] = worlds;
+  return rates;
+}
+
+std::string Row(const std::string& name, const NavigationSummary& summary) {
+  const auto spread = SpreadOf(summary.times_s);
+  char text[200];
+  std::snprintf(text, sizeof text, "%-16s%8d%8d%9d%13d%12d%9d%10d%9.2f", name.c_str(), summary.runs,
+                summary.right, summary.reached, summary.unreachable, summary.none_found,
+                summary.trapped, summary.contacts, summary.hardest_contact_m_s);
+  std::string row = text;
+  if (spread) {
+    std::snprintf(text, sizeof text, "%9.1f%8.1f%8.1f", spread->p50, spread->p95, spread->max);
+    row += text;
+  }
+  return row + "\n";
+}
+
+}  // namespace
+
+void NavigationRecord::Add(NavigationMap map) {
+  const auto after = std::upper_bound(maps.begin(), maps.end(), map.t,
+                                      [](int t, const NavigationMap& each) { return t < each.t; });
+  maps.insert(after, std::move(map));
+  if (maps.size() > kMostNavigationMaps) maps.pop_back();
+}
+
+std::vector<std::string> WorldsOf(const NavigationRecord& record) {
+  std::vector<std::string> worlds;
+  for (const NavigationTrialRecord& trial : record.trials) {
+    if (std::find(worlds.begin(), worlds.end(), trial.world) == worlds.end()) {
+      worlds.push_back(trial.world);
+    }
+  }
+  return worlds;
+}
+
+NavigationSummary Summarize(const NavigationRecord& record, const std::string& world) {
+  NavigationSummary summary;
+  for (const NavigationTrialRecord& trial : record.trials) {
+    if (!world.empty() && trial.world != world) continue;
+    ++summary.runs;
+    summary.right += trial.right() ? 1 : 0;
+    summary.reached += trial.end == NavigationEnd::kReached ? 1 : 0;
+    summary.unreachable += trial.end == NavigationEnd::kUnreachable ? 1 : 0;
+    summary.none_found += trial.end == NavigationEnd::kNoneFound ? 1 : 0;
+    summary.trapped += trial.end == NavigationEnd::kTrapped ? 1 : 0;
+    summary.contacts += trial.contacts;
+    summary.hardest_contact_m_s = std::max(summary.hardest_contact_m_s, trial.hardest_contact_m_s);
+    if (trial.end == NavigationEnd::kReached && trial.first_sight_s) {
+      summary.times_s.push_back(trial.end_s - *trial.first_sight_s);
+    }
+  }
+  return summary;
+}
+
+std::string NavigationRecordText(const NavigationRecord& record) {
+  json trials = json::array(), maps = json::array();
+  for (const NavigationTrialRecord& trial : record.trials) trials.push_back(ToJson(trial));
+  for (const NavigationMap& map : record.maps) maps.push_back(ToJson(map));
+  return json{{"format", kNavigationFormat},
+              {"experiment", kNavigationExperiment},
+              {"method", record.planner},
+              {"seed", record.seed},
+              {"git", record.git},
+              {"conditions", record.conditions},
+              {"trials", trials},
+              {"maps", maps},
+              {"rates", RatesJson(record)},
+              {"seconds", nullptr}}
+             .dump() +
+         "\n";
+}
+
+Result<NavigationRecord> ParseNavigationRecord(const json& value, const std::string& name) {
+  try {
+    if (value.at("format") != kNavigationFormat ||
+        value.at("experiment") != kNavigationExperiment) {
+      return Status::Error(name + ": not the results of geon experiment navigation");
+    }
+    NavigationRecord record;
+    record.planner = value.at("method");
+    record.seed = value.at("seed");
+    record.git = value.at("git");
+    record.conditions = value.at("conditions");
+    for (const json& trial : value.at("trials"))
+      record.trials.push_back(ParseNavigationTrial(trial));
+    for (const json& map : value.at("maps")) record.Add(ParseMap(map));
+    return record;
+  } catch (const std::exception& error) {
+    return Status::Error(name + ": damaged results: " + error.what());
+  }
+}
+
+Result<NavigationRecord> MergeNavigationRecords(const std::vector<NavigationRecord>& shards) {
+  return JoinShards(
+      shards, &NavigationRecord::trials,
+      [](const NavigationRecord& a, const NavigationRecord& b) {
+        return a.planner == b.planner && a.seed == b.seed && a.git == b.git &&
+               a.conditions == b.conditions;
+      },
+      [](const NavigationRecord& shard, NavigationRecord* all) {
+        for (const NavigationMap& map : shard.maps) all->Add(map);
+      });
+}
+
+std::string NavigationTables(const NavigationRecord& record) {
+  std::string text = "planner " + record.planner + ", sensors " +
+                     record.conditions.value("sensors", "") +
+                     "; times in s, from the first sight to the place to look from\n" +
+                     "world               runs   right  reached  unreachable  none found  trapped"
+                     "  contacts  at m/s   median     95 %     max\n";
+  const std::vector<std::string> worlds = WorldsOf(record);
+  constexpr size_t kMostRows = 40;
+  for (size_t k = 0; k < std::min(worlds.size(), kMostRows); ++k) {
+    text += Row(worlds[k], Summarize(record, worlds[k]));
+  }
+  if (worlds.size() > kMostRows) {
+    text += "(" + std::to_string(worlds.size() - kMostRows) + " more in results.json)\n";
+  }
+  if (worlds.size() > 1) text += Row("all", Summarize(record));
+  return text;
+}
+
+}  // namespace geon::cli

@@ -1,0 +1,142 @@
+#include "procs/lockstep/navigation_trial.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "procs/lockstep/lockstep_robot.h"
+
+namespace geon::lockstep {
+namespace {
+
+constexpr double kInPosition_m = 0.25;  // the robot may stand so much beside where it believes to
+
+constexpr std::array<std::pair<SensorQuality, std::string_view>, 3> kQualities = {
+    {{SensorQuality::kPerfect, "perfect"},
+     {SensorQuality::kReal, "real"},
+     {SensorQuality::kDegraded, "degraded"}}};
+constexpr std::array<std::pair<NavigationEnd, std::string_view>, 4> kEnds = {
+    {{NavigationEnd::kReached, "reached"},
+     {NavigationEnd::kUnreachable, "unreachable"},
+     {NavigationEnd::kNoneFound, "none_found"},
+     {NavigationEnd::kTrapped, "trapped"}}};
+
+template <typename Names, typename Value>
+std::string_view NameOf(const Names& names, Value value) {
+  return std::find_if(names.begin(), names.end(),
+                      [&](const auto& each) { return each.first == value; })
+      ->second;
+}
+template <typename Value, size_t kCount>
+std::optional<Value> ValueOf(const std::array<std::pair<Value, std::string_view>, kCount>& names,
+                             std::string_view name) {
+  for (const auto& [value, known] : names) {
+    if (known == name) return value;
+  }
+  return std::nullopt;
+}
+
+// The nearest geon, from above.
+std::optional<double> DistanceToGeon(const sim::World& world, const sim::RobotTruth& truth) {
+  std::optional<double> nearest_m;
+  for (const sim::WorldObject& object : world.objects) {
+    if (std::holds_alternative<sim::BoxShape>(object.shape) ||
+        std::holds_alternative<sim::CylinderShape>(object.shape)) {
+      continue;
+    }
+    const double distance_m = std::hypot(object.x_m - truth.x_m, object.y_m - truth.y_m);
+    nearest_m = std::min(nearest_m.value_or(distance_m), distance_m);
+  }
+  return nearest_m;
+}
+
+NavigationEnd EndOf(const mission::Mission& mission, bool in_position) {
+  if (in_position) return NavigationEnd::kReached;
+  switch (mission.outcome()) {
+    case sensor::MissionOutcome::kNamed:  // from farther off than it was to stop
+      return NavigationEnd::kReached;
+    case sensor::MissionOutcome::kUnreachable:
+      return NavigationEnd::kUnreachable;
+    case sensor::MissionOutcome::kNoneFound:
+      return NavigationEnd::kNoneFound;
+    default:
+      return NavigationEnd::kTrapped;
+  }
+}
+
+}  // namespace
+
+std::string_view ToString(SensorQuality quality) { return NameOf(kQualities, quality); }
+std::optional<SensorQuality> SensorQualityFromString(std::string_view name) {
+  return ValueOf(kQualities, name);
+}
+std::string_view ToString(NavigationEnd end) { return NameOf(kEnds, end); }
+std::optional<NavigationEnd> NavigationEndFromString(std::string_view name) {
+  return ValueOf(kEnds, name);
+}
+
+LockstepSettings ForNavigation(LockstepSettings settings, SensorQuality quality) {
+  settings.sensing = quality == SensorQuality::kPerfect ? Sensing::kPerfect : Sensing::kGlances;
+  settings.color_camera.exposure.reset();
+  sim::NomadEmulatorOptions& base = settings.sim.base;
+  if (quality == SensorQuality::kPerfect) {
+    base.drive.odometry_distance_scale_1 = base.drive.odometry_turn_scale_1 = 1.0;
+  }
+  if (quality == SensorQuality::kDegraded) {
+    constexpr double kOften_1 = 0.1;
+    base.sonar.deaf_probability_1 = kOften_1;
+    base.sonar.specular_probability_1 = kOften_1;
+    base.sonar.crosstalk_probability_1 = 0.02;
+    base.drive.odometry_distance_scale_1 = base.drive.odometry_turn_scale_1 = 1.02;
+    settings.glances.glare = true;
+  }
+  return settings;
+}
+
+Result<NavigationOutcome> RunNavigationTrial(const LockstepSettings& settings,
+                                             const sim::World& world, uint64_t seed,
+                                             double longest_s) {
+  auto created = LockstepRobot::Create(settings, std::nullopt, world, seed);
+  if (!created.ok()) return created.status();
+  LockstepRobot& robot = **created;
+  constexpr double kStride_s = 0.2;
+  NavigationOutcome outcome;
+  bool touched = false;
+  double speed_m_s = 0.0;
+  // A scan begun at a wrong place, by a wrong belief of where the geon stands, shows the mission
+  // its error: it goes on.
+  const double near_m = settings.mission.looking.stop_distance_m + kInPosition_m;
+  const auto in_position = [&] {
+    return robot.mission().phase() == mission::Phase::kScan &&
+           DistanceToGeon(world, robot.truth()).value_or(near_m) < near_m;
+  };
+  while (robot.mission().outcome() == sensor::MissionOutcome::kRunning && !in_position() &&
+         robot.time_s() < longest_s) {
+    robot.Turn();
+    const mission::Phase phase = robot.mission().phase();
+    if (!outcome.first_sight_s && phase != mission::Phase::kWait &&
+        phase != mission::Phase::kSearch &&
+        robot.mission().outcome() == sensor::MissionOutcome::kRunning) {
+      outcome.first_sight_s = robot.time_s();
+    }
+    const sim::RobotTruth truth = robot.truth();
+    if (truth.contacts > 0 && !touched) {
+      ++outcome.contacts;
+      outcome.hardest_contact_m_s = std::max(outcome.hardest_contact_m_s, std::abs(speed_m_s));
+    }
+    touched = truth.contacts > 0;
+    speed_m_s = truth.speed_m_s;
+    outcome.path_m += std::abs(speed_m_s) * LockstepRobot::kTurn_s;
+    if (robot.time_s() >= kStride_s * static_cast<double>(outcome.path_W_m.size())) {
+      outcome.path_W_m.emplace_back(truth.x_m, truth.y_m);
+    }
+  }
+  outcome.end = EndOf(robot.mission(), in_position());
+  outcome.why = robot.mission().State().text;
+  outcome.end_s = robot.time_s();
+  return outcome;
+}
+
+}  // namespace geon::lockstep

@@ -1,0 +1,114 @@
+#include "procs/geon/navigation_record.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace geon::cli {
+namespace {
+
+using lockstep::NavigationEnd;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+NavigationTrialRecord Trial(int t, const std::string& world, NavigationEnd end) {
+  NavigationTrialRecord trial;
+  trial.t = t;
+  trial.world = world;
+  trial.seed = static_cast<uint64_t>(t) + 7;
+  trial.end = end;
+  trial.why = "because";
+  trial.first_sight_s = 2.0;
+  trial.end_s = 10.0 + t;
+  trial.path_m = 3.0;
+  return trial;
+}
+
+NavigationMap Map(int t) {
+  NavigationMap map;
+  map.t = t;
+  map.pen_m = {3.0, 4.5};
+  map.outlines_m = {{{1.0, 1.0}, {1.5, 1.0}, {1.5, 1.5}}};
+  map.geon_m = Eigen::Vector2d(2.0, 4.0);
+  map.path_m = {{0.5, 0.5}, {0.6, 0.9}};
+  return map;
+}
+
+NavigationRecord Record(std::vector<NavigationTrialRecord> trials) {
+  NavigationRecord record;
+  record.planner = "map";
+  record.git = "abc";
+  record.conditions = {{"sensors", "real"}};
+  record.trials = std::move(trials);
+  return record;
+}
+
+NavigationRecord Mixed() {
+  NavigationRecord record = Record({Trial(0, "boxes", NavigationEnd::kReached),
+                                    Trial(1, "u_trap", NavigationEnd::kTrapped),
+                                    Trial(2, "boxes", NavigationEnd::kReached)});
+  record.trials[1].contacts = 2;
+  record.trials[1].hardest_contact_m_s = 0.25;
+  record.Add(Map(1));
+  return record;
+}
+
+TEST(NavigationRecordTest, RatesCountEndsContactsAndTimes) {
+  const auto rates = nlohmann::json::parse(NavigationRecordText(Mixed())).at("rates");
+  EXPECT_EQ(rates.at("runs"), 3);
+  EXPECT_EQ(rates.at("reached"), 2);
+  EXPECT_EQ(rates.at("trapped"), 1);
+  EXPECT_EQ(rates.at("unreachable"), 0);
+  EXPECT_EQ(rates.at("contacts"), 2);
+  EXPECT_DOUBLE_EQ(rates.at("time_s").at("max"), 10.0) << "of those that got there";
+  EXPECT_EQ(rates.at("worlds").at("boxes").at("runs"), 2);
+}
+
+TEST(NavigationRecordTest, WhatIsWrittenIsReadBack) {
+  const std::string text = NavigationRecordText(Mixed());
+  const auto read = ParseNavigationRecord(nlohmann::json::parse(text), "results.json");
+  ASSERT_TRUE(read.ok()) << read.message();
+  EXPECT_EQ(NavigationRecordText(*read), text);
+}
+
+TEST(NavigationRecordTest, DamagedResultsAreNamed) {
+  auto value = nlohmann::json::parse(NavigationRecordText(Mixed()));
+  value["trials"][0]["end"] = "flown away";
+  const auto read = ParseNavigationRecord(value, "results.json");
+  ASSERT_FALSE(read.ok());
+  EXPECT_THAT(read.message(), HasSubstr("results.json"));
+  value["experiment"] = "bench";
+  EXPECT_FALSE(ParseNavigationRecord(value, "x").ok());
+}
+
+TEST(NavigationRecordTest, ShardsJoinToTheBytesOfTheWhole) {
+  const NavigationRecord whole = Mixed();
+  NavigationRecord even = Record({whole.trials[0], whole.trials[2]});
+  NavigationRecord odd = Record({whole.trials[1]});
+  odd.maps = whole.maps;
+  const auto joined = MergeNavigationRecords({odd, even});
+  ASSERT_TRUE(joined.ok()) << joined.message();
+  EXPECT_EQ(NavigationRecordText(*joined), NavigationRecordText(whole));
+  even.planner = "thesis";
+  EXPECT_FALSE(MergeNavigationRecords({odd, even}).ok());
+}
+
+TEST(NavigationRecordTest, OnlyTheFirstMapsAreKeptWhateverTheOrder) {
+  NavigationRecord record;
+  for (int t = 99; t >= 0; --t) record.Add(Map(t));
+  ASSERT_EQ(record.maps.size(), kMostNavigationMaps);
+  EXPECT_EQ(record.maps.front().t, 0);
+  EXPECT_EQ(record.maps.back().t, static_cast<int>(kMostNavigationMaps) - 1);
+}
+
+TEST(NavigationRecordTest, TablesAndPageNameWorldsAndDrawWhatWentWrong) {
+  const NavigationRecord record = Mixed();
+  EXPECT_THAT(WorldsOf(record), ElementsAre("boxes", "u_trap"));
+  EXPECT_THAT(NavigationTables(record), HasSubstr("u_trap"));
+  const std::string page = NavigationPage(record);
+  EXPECT_THAT(page, HasSubstr("2 of 3 runs"));
+  EXPECT_THAT(page, HasSubstr("Map of run 1"));
+  EXPECT_THAT(page, HasSubstr("trapped after 11.0 s"));
+}
+
+}  // namespace
+}  // namespace geon::cli

@@ -1,0 +1,82 @@
+#include "procs/lockstep/navigation_trial.h"
+
+#include <gtest/gtest.h>
+
+#include "config/daemon_arguments.h"
+#include "sim/random_pen.h"
+
+namespace geon::lockstep {
+namespace {
+
+class NavigationTrialTest : public testing::Test {
+ protected:
+  LockstepSettings Settings(SensorQuality quality, mission::PlannerKind planner) const {
+    LockstepSettings settings = ForNavigation(*loaded_, quality);
+    settings.mission.driving.planner = planner;
+    return settings;
+  }
+  static NavigationOutcome Run(const LockstepSettings& settings, sim::PenKind kind, uint64_t seed) {
+    const auto outcome = RunNavigationTrial(settings, sim::RandomPen(seed, kind), seed, 120.0);
+    EXPECT_TRUE(outcome.ok()) << outcome.message();
+    return outcome.ok() ? *outcome : NavigationOutcome();
+  }
+  const Result<LockstepSettings> loaded_ =
+      LoadLockstepSettings(config::InstalledFile("scripts/config/robot.yaml"),
+                           config::InstalledFile("scripts/config/sim.yaml"));
+};
+
+TEST_F(NavigationTrialTest, ByTheMapEveryKindOfPenEndsAsItShould) {
+  using sim::PenKind;
+  const LockstepSettings settings = Settings(SensorQuality::kReal, mission::PlannerKind::kMap);
+  for (const PenKind kind : {PenKind::kBoxes, PenKind::kUTrap, PenKind::kDeadEnd, PenKind::kGap}) {
+    SCOPED_TRACE(sim::ToString(kind));
+    const NavigationOutcome outcome = Run(settings, kind, 11);
+    EXPECT_EQ(outcome.end, NavigationEnd::kReached) << outcome.why;
+    EXPECT_EQ(outcome.contacts, 0);
+    ASSERT_TRUE(outcome.first_sight_s.has_value());
+    EXPECT_LT(*outcome.first_sight_s, outcome.end_s);
+    EXPECT_GT(outcome.path_m, 0.3);
+  }
+  const NavigationOutcome closed = Run(settings, PenKind::kUnreachable, 11);
+  EXPECT_EQ(closed.end, NavigationEnd::kUnreachable) << closed.why;
+}
+
+TEST_F(NavigationTrialTest, TheThesissRuleIsTrappedWhereTheMapIsNot) {
+  const auto end = [&](mission::PlannerKind planner) {
+    return Run(Settings(SensorQuality::kReal, planner), sim::PenKind::kUTrap, 3).end;
+  };
+  EXPECT_EQ(end(mission::PlannerKind::kMap), NavigationEnd::kReached);
+  EXPECT_EQ(end(mission::PlannerKind::kThesis), NavigationEnd::kTrapped);
+}
+
+TEST_F(NavigationTrialTest, WithPerfectOrWithDegradedSensorsItIsReachedToo) {
+  for (const SensorQuality quality : {SensorQuality::kPerfect, SensorQuality::kDegraded}) {
+    SCOPED_TRACE(ToString(quality));
+    const auto outcome =
+        Run(Settings(quality, mission::PlannerKind::kMap), sim::PenKind::kBoxes, 5);
+    EXPECT_EQ(outcome.end, NavigationEnd::kReached) << outcome.why;
+  }
+}
+
+TEST_F(NavigationTrialTest, TheSameSeedGivesTheSamePath) {
+  const LockstepSettings settings = Settings(SensorQuality::kReal, mission::PlannerKind::kMap);
+  const NavigationOutcome once = Run(settings, sim::PenKind::kGap, 8);
+  const NavigationOutcome again = Run(settings, sim::PenKind::kGap, 8);
+  EXPECT_EQ(once.path_W_m, again.path_W_m);
+  EXPECT_EQ(once.end_s, again.end_s);
+}
+
+TEST(NavigationNamesTest, NamesLeadBackToTheirValues) {
+  for (const SensorQuality quality :
+       {SensorQuality::kPerfect, SensorQuality::kReal, SensorQuality::kDegraded}) {
+    EXPECT_EQ(SensorQualityFromString(ToString(quality)), quality);
+  }
+  for (const NavigationEnd end : {NavigationEnd::kReached, NavigationEnd::kUnreachable,
+                                  NavigationEnd::kNoneFound, NavigationEnd::kTrapped}) {
+    EXPECT_EQ(NavigationEndFromString(ToString(end)), end);
+  }
+  EXPECT_FALSE(SensorQualityFromString("good").has_value());
+}
+
+}  // namespace
+}  // namespace geon::lockstep
