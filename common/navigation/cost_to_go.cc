@@ -14,6 +14,8 @@ constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr std::array<GridCell, 8> kNeighbours = {GridCell{1, 0}, {1, 1},   {0, 1},  {-1, 1},
                                                  {-1, 0},        {-1, -1}, {0, -1}, {1, -1}};
 
+constexpr uint8_t kNoNeighbour = kNeighbours.size();
+
 }  // namespace
 
 std::optional<std::string> CostToGoOptions::Validate() const {
@@ -44,8 +46,8 @@ double CostToGo::At(GridCell cell) const {
 }
 
 std::optional<GridCell> CostToGo::Next(GridCell cell) const {
-  if (!Covers(cell) || next_[Index(cell)] < 0) return std::nullopt;
-  const GridCell& step = kNeighbours[static_cast<size_t>(next_[Index(cell)])];
+  if (!Covers(cell) || next_[Index(cell)] == kNoNeighbour) return std::nullopt;
+  const GridCell& step = kNeighbours[next_[Index(cell)]];
   return GridCell{cell.x + step.x, cell.y + step.y};
 }
 
@@ -53,7 +55,7 @@ void CostToGo::Compute(const OccupancyGrid& grid, const ClearanceField& clearanc
                        std::span<const Goal> goals) {
   window_ = clearance.window();
   cost_m_.assign(clearance.size(), kNever);
-  next_.assign(clearance.size(), -1);
+  next_.assign(clearance.size(), kNoNeighbour);
   const auto cell_m = static_cast<float>(grid.cell_m());
   const auto least_m = static_cast<float>(options_.least_clearance_m);
   const auto easy_m = static_cast<float>(options_.easy_clearance_m);
@@ -90,7 +92,7 @@ void CostToGo::Compute(const OccupancyGrid& grid, const ClearanceField& clearanc
       const auto cost_m = static_cast<float>(goal.cost_m);
       if (bucket_of(cost_m) > now) break;
       if (cost_m >= cost_m_[Index(goal.cell)]) continue;
-      next_[Index(goal.cell)] = -1;
+      next_[Index(goal.cell)] = kNoNeighbour;
       push(goal.cell, cost_m);
     }
     std::vector<GridCell>& bucket = buckets_[now % ring];
@@ -120,7 +122,7 @@ void CostToGo::Compute(const OccupancyGrid& grid, const ClearanceField& clearanc
         const float new_cost_m = cost_m + step_m * per_metre_1;
         const size_t from_index = Index(from);
         if (new_cost_m >= cost_m_[from_index]) continue;
-        next_[from_index] = static_cast<int8_t>((n + 4) % 8);
+        next_[from_index] = static_cast<uint8_t>((n + 4) % 8);
         push(from, new_cost_m);
       }
     }

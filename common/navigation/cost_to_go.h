@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -57,7 +58,7 @@ class CostToGo {
   CostToGoOptions options_;
   GridWindow window_;
   std::vector<float> cost_m_;
-  std::vector<int8_t> next_;  // which neighbour, -1: none
+  std::vector<uint8_t> next_;  // which neighbour
   std::vector<std::vector<GridCell>> buckets_;
 };
 

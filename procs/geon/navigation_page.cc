@@ -63,8 +63,9 @@ std::string MapFigure(const NavigationMap& map, const NavigationTrialRecord& tri
   return "<figure>" + plot.Svg("Map of run " + std::to_string(trial.t)) + "<figcaption><b>Run " +
          std::to_string(trial.t) + ", " + Escape(trial.world) + ", seed " +
          std::to_string(trial.seed) + "</b>: " + std::string(ToString(trial.end)) + " after " +
-         Fixed(trial.end_s, 1) + " s, " + std::to_string(trial.contacts) + " contacts. " +
-         Escape(trial.why) + "</figcaption></figure>";
+         Fixed(trial.end_s, 1) + " s, " + std::to_string(trial.contacts) +
+         (trial.contacts == 1 ? " contact. " : " contacts. ") + Escape(trial.why) +
+         "</figcaption></figure>";
 }
 
 std::string Maps(const NavigationRecord& record) {
