@@ -62,12 +62,13 @@ std::optional<FloorSighting> Eyes::LookFloor(const PoseHistory& history, bool pa
   const sensor::Image image = *std::exchange(floor_image_, std::nullopt);
   const auto X_WR = history.RobotAt(image.utime);
   if (!X_WR) return std::nullopt;
-  FloorSeen seen =
+  FloorSighting sighting =
       floor_seen_ ? *std::exchange(floor_seen_, std::nullopt) : LookAtFloor(image, patch_is_free);
-  return FloorSighting{*X_WR, std::move(seen.target), std::move(seen.columns)};
+  sighting.X_WR = *X_WR;
+  return sighting;
 }
 
-FloorSeen Eyes::LookAtFloor(const sensor::Image& image, bool patch_is_free) {
+FloorSighting Eyes::LookAtFloor(const sensor::Image& image, bool patch_is_free) {
   const cv::Mat bgr = AsBgr(image);
   if (options_.learn_floor && !floor_learned_ && patch_is_free) {
     const auto learned = navigation::LearnFloor(bgr, rig_.floor_camera, rig_.X_RF,
@@ -75,7 +76,7 @@ FloorSeen Eyes::LookAtFloor(const sensor::Image& image, bool patch_is_free) {
     floor_learned_ = learned.has_value();
     floor_model_ = learned.value_or(options_.floor_model);
   }
-  return {floor_finder_.Find(image),
+  return {geometry::RigidTransform::Identity(), floor_finder_.Find(image),
           navigation::FloorObstacles(navigation::NotFloorMask(bgr, floor_model_), rig_.floor_camera,
                                      rig_.X_RF, options_.floor_obstacles)};
 }

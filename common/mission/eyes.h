@@ -28,12 +28,6 @@ struct FloorSighting {
   std::vector<navigation::FloorColumn> columns;
 };
 
-// What can be seen in a picture of the floor camera.
-struct FloorSeen {
-  attention::TargetSighting target;
-  std::vector<navigation::FloorColumn> columns;
-};
-
 // Looks at pictures once their poses are known. A picture waits for the base and PTU states that
 // follow its exposure; a newer picture takes the place of a waiting one.
 class Eyes {
@@ -43,12 +37,12 @@ class Eyes {
   // Pictures must be kBgr8 or kRgb8; others are a broken contract. Floor pictures must have the
   // size that the rig states.
   // With what is seen in it, a picture is not looked at and need not have pixels: only its times
-  // count.
+  // count. Where the robot was is told here all the same.
   void TakeHead(sensor::Image image, std::optional<attention::TargetSighting> seen = {}) {
     head_image_ = std::move(image);
     head_seen_ = std::move(seen);
   }
-  void TakeFloor(sensor::Image image, std::optional<FloorSeen> seen = {}) {
+  void TakeFloor(sensor::Image image, std::optional<FloorSighting> seen = {}) {
     floor_image_ = std::move(image);
     floor_seen_ = std::move(seen);
   }
@@ -62,7 +56,7 @@ class Eyes {
   bool floor_learned() const { return floor_learned_; }
 
  private:
-  FloorSeen LookAtFloor(const sensor::Image& image, bool patch_is_free);
+  FloorSighting LookAtFloor(const sensor::Image& image, bool patch_is_free);
 
   SeeingOptions options_;
   geometry::SensorRig rig_;
@@ -73,7 +67,7 @@ class Eyes {
   std::optional<sensor::Image> head_image_;
   std::optional<sensor::Image> floor_image_;
   std::optional<attention::TargetSighting> head_seen_;  // in head_image_
-  std::optional<FloorSeen> floor_seen_;
+  std::optional<FloorSighting> floor_seen_;
 };
 
 }  // namespace geon::mission

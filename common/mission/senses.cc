@@ -103,7 +103,7 @@ void Senses::TakeHeadImage(double now_s, sensor::Image image,
   eyes_.TakeHead(std::move(image), std::move(seen));
 }
 
-void Senses::TakeFloorImage(double now_s, sensor::Image image, std::optional<FloorSeen> seen) {
+void Senses::TakeFloorImage(double now_s, sensor::Image image, std::optional<FloorSighting> seen) {
   floor_at_s_ = now_s;
   eyes_.TakeFloor(std::move(image), std::move(seen));
 }

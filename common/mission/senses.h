@@ -36,7 +36,7 @@ class Senses {
   // With what is seen in the picture, where somebody else has looked at it already (Eyes).
   void TakeHeadImage(double now_s, sensor::Image image,
                      std::optional<attention::TargetSighting> seen = {});
-  void TakeFloorImage(double now_s, sensor::Image image, std::optional<FloorSeen> seen = {});
+  void TakeFloorImage(double now_s, sensor::Image image, std::optional<FloorSighting> seen = {});
 
   // Looks at the pictures whose poses have become known; the sightings below last until the next
   // call.

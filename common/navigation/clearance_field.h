@@ -21,17 +21,8 @@ class ClearanceField {
                const std::function<bool(const Eigen::Vector2d&)>& ignored = {});
 
   const GridWindow& window() const { return window_; }
-  bool Covers(GridCell cell) const {
-    return cell.x >= window_.first.x && cell.x <= window_.last.x && cell.y >= window_.first.y &&
-           cell.y <= window_.last.y;
-  }
-  // Infinite where there is no obstacle at all; the cell must be covered.
-  float At(GridCell cell) const { return distance_m_[Index(cell)]; }
-  size_t Index(GridCell cell) const {
-    return static_cast<size_t>(cell.y - window_.first.y) * static_cast<size_t>(window_.width()) +
-           static_cast<size_t>(cell.x - window_.first.x);
-  }
-  size_t size() const { return distance_m_.size(); }
+  // Infinite where there is no obstacle at all; the cell must be in the window.
+  float At(GridCell cell) const { return distance_m_[window_.Index(cell)]; }
 
  private:
   void Sweep(const OccupancyGrid& grid, int step);

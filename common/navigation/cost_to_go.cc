@@ -31,31 +31,23 @@ CostToGo::CostToGo(const CostToGoOptions& options) : options_(options) {
   Require(!error, "CostToGoOptions: " + error.value_or(""));
 }
 
-bool CostToGo::Covers(GridCell cell) const {
-  return !cost_m_.empty() && cell.x >= window_.first.x && cell.x <= window_.last.x &&
-         cell.y >= window_.first.y && cell.y <= window_.last.y;
-}
-
-size_t CostToGo::Index(GridCell cell) const {
-  return static_cast<size_t>(cell.y - window_.first.y) * static_cast<size_t>(window_.width()) +
-         static_cast<size_t>(cell.x - window_.first.x);
-}
-
 double CostToGo::At(GridCell cell) const {
-  return Covers(cell) ? double{cost_m_[Index(cell)]} : double{kNever};
+  return !cost_m_.empty() && window_.Contains(cell) ? double{cost_m_[window_.Index(cell)]}
+                                                    : double{kNever};
 }
 
 std::optional<GridCell> CostToGo::Next(GridCell cell) const {
-  if (!Covers(cell) || next_[Index(cell)] == kNoNeighbour) return std::nullopt;
-  const GridCell& step = kNeighbours[next_[Index(cell)]];
+  if (cost_m_.empty() || !window_.Contains(cell) || next_[window_.Index(cell)] == kNoNeighbour)
+    return std::nullopt;
+  const GridCell& step = kNeighbours[next_[window_.Index(cell)]];
   return GridCell{cell.x + step.x, cell.y + step.y};
 }
 
 void CostToGo::Compute(const OccupancyGrid& grid, const ClearanceField& clearance,
                        std::span<const Goal> goals) {
   window_ = clearance.window();
-  cost_m_.assign(clearance.size(), kNever);
-  next_.assign(clearance.size(), kNoNeighbour);
+  cost_m_.assign(window_.size(), kNever);
+  next_.assign(window_.size(), kNoNeighbour);
   const auto cell_m = static_cast<float>(grid.cell_m());
   const auto least_m = static_cast<float>(options_.least_clearance_m);
   const auto easy_m = static_cast<float>(options_.easy_clearance_m);
@@ -74,14 +66,14 @@ void CostToGo::Compute(const OccupancyGrid& grid, const ClearanceField& clearanc
   // In ascending order of cost: the first bucket is the cheapest goal's.
   std::vector<Goal> sorted(goals.begin(), goals.end());
   std::erase_if(sorted, [&](const Goal& goal) {
-    return !Covers(goal.cell) || clearance.At(goal.cell) < least_m;
+    return !window_.Contains(goal.cell) || clearance.At(goal.cell) < least_m;
   });
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Goal& a, const Goal& b) { return a.cost_m < b.cost_m; });
   size_t next_goal = 0;
   const auto bucket_of = [&](float cost_m) { return static_cast<size_t>(cost_m / bucket_m); };
   const auto push = [&](GridCell cell, float cost_m) {
-    cost_m_[Index(cell)] = cost_m;
+    cost_m_[window_.Index(cell)] = cost_m;
     buckets_[bucket_of(cost_m) % ring].push_back(cell);
     ++waiting;
   };
@@ -91,21 +83,21 @@ void CostToGo::Compute(const OccupancyGrid& grid, const ClearanceField& clearanc
       const Goal& goal = sorted[next_goal];
       const auto cost_m = static_cast<float>(goal.cost_m);
       if (bucket_of(cost_m) > now) break;
-      if (cost_m >= cost_m_[Index(goal.cell)]) continue;
-      next_[Index(goal.cell)] = kNoNeighbour;
+      if (cost_m >= cost_m_[window_.Index(goal.cell)]) continue;
+      next_[window_.Index(goal.cell)] = kNoNeighbour;
       push(goal.cell, cost_m);
     }
     std::vector<GridCell>& bucket = buckets_[now % ring];
     for (size_t k = 0; k < bucket.size(); ++k) {  // may grow meanwhile
       const GridCell cell = bucket[k];
       --waiting;
-      const size_t index = Index(cell);
+      const size_t index = window_.Index(cell);
       const float cost_m = cost_m_[index];
       if (bucket_of(cost_m) != now) continue;  // was reached more cheaply before
       const bool tight = clearance.At(cell) < least_m;
       for (size_t n = 0; n < kNeighbours.size(); ++n) {
         const GridCell from{cell.x + kNeighbours[n].x, cell.y + kNeighbours[n].y};
-        if (!Covers(from)) continue;
+        if (!window_.Contains(from)) continue;
         const float from_clearance_m = clearance.At(from);
         const bool from_tight = from_clearance_m < least_m;
         if (tight && !from_tight) continue;          // out, never through
@@ -120,7 +112,7 @@ void CostToGo::Compute(const OccupancyGrid& grid, const ClearanceField& clearanc
         if (!grid.IsSeen(from)) per_metre_1 += static_cast<float>(options_.unseen_1);
         const float step_m = n % 2 == 0 ? cell_m : 1.41421356F * cell_m;
         const float new_cost_m = cost_m + step_m * per_metre_1;
-        const size_t from_index = Index(from);
+        const size_t from_index = window_.Index(from);
         if (new_cost_m >= cost_m_[from_index]) continue;
         next_[from_index] = static_cast<uint8_t>((n + 4) % 8);
         push(from, new_cost_m);

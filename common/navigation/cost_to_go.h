@@ -52,9 +52,6 @@ class CostToGo {
   const GridWindow& window() const { return window_; }
 
  private:
-  bool Covers(GridCell cell) const;
-  size_t Index(GridCell cell) const;
-
   CostToGoOptions options_;
   GridWindow window_;
   std::vector<float> cost_m_;

@@ -63,6 +63,15 @@ struct GridWindow {
   GridCell last;
   int width() const { return last.x - first.x + 1; }
   int height() const { return last.y - first.y + 1; }
+  size_t size() const { return static_cast<size_t>(width()) * static_cast<size_t>(height()); }
+  bool Contains(GridCell cell) const {
+    return cell.x >= first.x && cell.x <= last.x && cell.y >= first.y && cell.y <= last.y;
+  }
+  // Of a cell in it, row by row.
+  size_t Index(GridCell cell) const {
+    return static_cast<size_t>(cell.y - first.y) * static_cast<size_t>(width()) +
+           static_cast<size_t>(cell.x - first.x);
+  }
 };
 
 // A map of where obstacles are, in the odometry frame W, from all sensors that feel or see them.

@@ -33,7 +33,7 @@ std::vector<CostToGo::Goal> ViewingPositions(const OccupancyGrid& grid,
       const Eigen::Vector2d place_W_m = grid.Middle({x, y});
       const double distance_m = (place_W_m - target_W_m).norm();
       if (distance_m > options.distance_m || distance_m < options.distance_m - options.nearer_m ||
-          !clearance.Covers({x, y})) {
+          !clearance.window().Contains({x, y})) {
         continue;
       }
       const bool hidden = IsHidden(grid, place_W_m, target_W_m, own_m);

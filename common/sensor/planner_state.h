@@ -11,9 +11,8 @@ namespace geon::sensor {
 enum class MissionOutcome {
   kRunning = 0,
   kNamed = 1,
-  kFailed = 2,       // for another reason than the next two
+  kFailed = 2,       // for another reason than the next
   kUnreachable = 3,  // no way leads to the geon
-  kNoneFound = 4,    // nothing of the target's colour wherever the robot could look
 };
 
 // What the mission does and why. Points and polygons are in W (odometry).

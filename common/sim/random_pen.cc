@@ -21,13 +21,12 @@ constexpr double kApart_m = 1.5;  // robot and geon, at the start
 constexpr double kBoard_m = 0.08;
 constexpr double kGap_m = 0.75;
 
-constexpr std::array<std::pair<PenKind, std::string_view>, 6> kKinds = {{
+constexpr std::array<std::pair<PenKind, std::string_view>, 5> kKinds = {{
     {PenKind::kBoxes, "boxes"},
     {PenKind::kUTrap, "u_trap"},
     {PenKind::kDeadEnd, "dead_end"},
     {PenKind::kGap, "gap"},
     {PenKind::kUnreachable, "unreachable"},
-    {PenKind::kEmpty, "empty"},
 }};
 
 WorldObject Box(const Eigen::Vector2d& middle_m, const Eigen::Vector3d& size_m, double yaw_rad,
@@ -95,21 +94,20 @@ class Pen {
       if (!std::holds_alternative<BoxShape>(object.shape)) continue;
       const auto outline_m = BoxOutline(object);
       if (NearestPointOfConvex(outline_m, robot_m).distance_m < kRobotRadius_m + 0.1) return false;
-      const bool desk = geon_m_ && object.x_m == geon_m_->x() && object.y_m == geon_m_->y();
-      if (geon_m_ && !desk && NearestPointOfConvex(outline_m, *geon_m_).distance_m < 0.25) {
+      const bool desk = object.x_m == geon_m_.x() && object.y_m == geon_m_.y();
+      if (!desk && NearestPointOfConvex(outline_m, geon_m_).distance_m < 0.25) {
         return false;
       }
     }
-    if (!geon_m_) return true;
-    if ((robot_m - *geon_m_).norm() < kApart_m) return false;
-    return CanReach(world_, *geon_m_, kLookNearest_m, kLookFarthest_m,
+    if ((robot_m - geon_m_).norm() < kApart_m) return false;
+    return CanReach(world_, geon_m_, kLookNearest_m, kLookFarthest_m,
                     reachable ? kPassing_m : -0.05) == reachable;
   }
 
  private:
   NoiseSource* noise_;
   World world_;
-  std::optional<Eigen::Vector2d> geon_m_;
+  Eigen::Vector2d geon_m_ = Eigen::Vector2d::Zero();
 };
 
 // Boards at three sides of a rectangle whose open side looks along `open_rad`.
@@ -126,11 +124,10 @@ void PutU(const Eigen::Vector2d& middle_m, double wide_m, double deep_m, double 
 void Fill(PenKind kind, NoiseSource* noise, Pen* pen) {
   const Eigen::Vector2d size_m = pen->world().pen_size_m;
   switch (kind) {
-    case PenKind::kBoxes:
-    case PenKind::kEmpty: {
+    case PenKind::kBoxes: {
       const auto boxes = static_cast<int>(noise->Bits() % 6);
       pen->PutRobot(pen->AnyPlace(0.4), pen->AnyHeading());
-      if (kind == PenKind::kBoxes) pen->PutGeon(pen->AnyPlace(0.45));
+      pen->PutGeon(pen->AnyPlace(0.45));
       for (int k = 0; k < boxes; ++k) pen->PutBox(0.2, 0.7);
       return;
     }

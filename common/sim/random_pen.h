@@ -14,8 +14,7 @@ enum class PenKind {
   kUTrap,        // a U of boards between robot and geon, open towards the robot
   kDeadEnd,      // the robot starts in a blind alley
   kGap,          // a wall with one gap of 0.75 m across the pen
-  kUnreachable,  // boxes close every way to the geon
-  kEmpty,        // no geon, up to five boxes
+  kUnreachable,  // a wall across the pen closes every way to the geon
 };
 std::string_view ToString(PenKind kind);
 std::optional<PenKind> PenKindFromString(std::string_view name);

@@ -25,10 +25,7 @@ std::vector<Eigen::Vector2d> BoxOutline(const WorldObject& box) {
 
 double FootHeight(const World& world, const WorldObject& object) {
   if (object.z_m) return *object.z_m;
-  if (!std::holds_alternative<geons::GeonShape>(object.shape) &&
-      !std::holds_alternative<MeshShape>(object.shape)) {
-    return 0.0;
-  }
+  if (!IsTarget(object)) return 0.0;
   double height_m = 0.0;
   for (const WorldObject& other : world.objects) {
     const auto* box = std::get_if<BoxShape>(&other.shape);
@@ -38,6 +35,11 @@ double FootHeight(const World& world, const WorldObject& object) {
     }
   }
   return height_m;
+}
+
+bool IsTarget(const WorldObject& object) {
+  return std::holds_alternative<geons::GeonShape>(object.shape) ||
+         std::holds_alternative<MeshShape>(object.shape);
 }
 
 std::optional<GeonLabel> TrueLabel(const WorldObject& object) {

@@ -69,6 +69,9 @@ double FootHeight(const World& world, const WorldObject& object);
 // The shape's name if it is a geon, or a mesh that is said to be one.
 std::optional<GeonLabel> TrueLabel(const WorldObject& object);
 
+// Whether it is what the robot looks for: a geon, or a mesh.
+bool IsTarget(const WorldObject& object);
+
 // Corners of a box from above, counter-clockwise.
 std::vector<Eigen::Vector2d> BoxOutline(const WorldObject& box);
 

@@ -47,18 +47,6 @@ struct NavigationCase {
   sim::PenKind pen = sim::PenKind::kBoxes;
 };
 
-bool HasGeon(const sim::World& world) {
-  return std::any_of(world.objects.begin(), world.objects.end(), [](const auto& object) {
-    return !std::holds_alternative<sim::BoxShape>(object.shape) &&
-           !std::holds_alternative<sim::CylinderShape>(object.shape);
-  });
-}
-
-NavigationEnd Expected(sim::PenKind pen) {
-  if (pen == sim::PenKind::kUnreachable) return NavigationEnd::kUnreachable;
-  return pen == sim::PenKind::kEmpty ? NavigationEnd::kNoneFound : NavigationEnd::kReached;
-}
-
 std::vector<NavigationCase> PenCases(const NavigationArguments& arguments) {
   std::vector<NavigationCase> cases;
   for (int t = 0; t < arguments.pens; ++t) {
@@ -67,7 +55,7 @@ std::vector<NavigationCase> PenCases(const NavigationArguments& arguments) {
     each.trial.seed = arguments.seed + static_cast<uint64_t>(t);
     each.pen = sim::PenKindFromString(arguments.pen).value_or(sim::MixedPenKind(each.trial.seed));
     each.trial.world = ToString(each.pen);
-    each.trial.expected = Expected(each.pen);
+    if (each.pen == sim::PenKind::kUnreachable) each.trial.expected = NavigationEnd::kUnreachable;
     cases.push_back(each);
   }
   return cases;
@@ -78,11 +66,14 @@ Result<std::vector<NavigationCase>> WorldCases(const NavigationArguments& argume
   for (const std::filesystem::path& file : arguments.worlds) {
     Result<sim::World> world = sim::LoadWorld(file);
     if (!world.ok()) return world.status();
+    if (std::none_of(world->objects.begin(), world->objects.end(), sim::IsTarget)) {
+      return Status::Error(file.string() +
+                           ": there is no geon and no mesh to drive to among its objects");
+    }
     NavigationCase each;
     each.trial.t = static_cast<int>(cases.size());
     each.trial.seed = arguments.seed + cases.size();
     each.trial.world = file.filename().string();
-    each.trial.expected = HasGeon(*world) ? NavigationEnd::kReached : NavigationEnd::kNoneFound;
     each.world = std::move(*world);
     cases.push_back(std::move(each));
   }
@@ -106,7 +97,7 @@ NavigationMap MapOf(int t, const sim::World& world, const lockstep::NavigationOu
                                                                            std::sin(angle_rad)));
       }
       map.outlines_m.push_back(std::move(outline_m));
-    } else {
+    } else if (sim::IsTarget(object)) {
       map.geon_m = place_m;
     }
   }
@@ -205,10 +196,9 @@ void AddExperimentNavigationCommand(CLI::App& experiment, int* exit_code) {
       ->capture_default_str();
   command
       ->add_option("--pen", arguments->pen,
-                   "of one kind only: boxes, u_trap, dead_end, gap, unreachable or empty; mixed: "
+                   "of one kind only: boxes, u_trap, dead_end, gap or unreachable; mixed: "
                    "half boxes, the others up to gap in equal parts")
-      ->check(
-          CLI::IsMember({"mixed", "boxes", "u_trap", "dead_end", "gap", "unreachable", "empty"}))
+      ->check(CLI::IsMember({"mixed", "boxes", "u_trap", "dead_end", "gap", "unreachable"}))
       ->capture_default_str();
   command->add_option("--worlds", arguments->worlds, "world files instead of random pens")
       ->check(CLI::ExistingFile);

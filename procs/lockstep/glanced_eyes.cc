@@ -53,22 +53,23 @@ attention::TargetSighting GlancedEyes::Head(const sim::Exposure& exposure) {
                     options_.head.min_target_pixels);
 }
 
-mission::FloorSeen GlancedEyes::Floor(const sim::Exposure& exposure) {
+mission::FloorSighting GlancedEyes::Floor(const sim::Exposure& exposure) {
   const sim::RigPose& pose = exposure.path.middle();
   const geometry::PinholeCamera& camera = rig_.floor_camera;
-  mission::FloorSeen seen;
-  seen.target = SightingOf(glancer_.GeonByFloorCamera(pose, exposure.seq), camera,
-                           options_.floor.min_target_pixels);
+  mission::FloorSighting sighting;
+  sighting.seen = SightingOf(glancer_.GeonByFloorCamera(pose, exposure.seq), camera,
+                             options_.floor.min_target_pixels);
   for (const sim::GroundGlance& glance : glancer_.Floor(pose, exposure.seq)) {
     const auto column =
         navigation::FloorBetween(glance.begin_px, glance.end_px, glance.obstacle, camera, rig_.X_RF,
                                  options_.floor_obstacles.max_range_m);
-    if (column) seen.columns.push_back(*column);
+    if (column) sighting.columns.push_back(*column);
   }
-  return seen;
+  return sighting;
 }
 
-mission::FloorSeen GlancedEyes::FloorAllRound(const sim::Exposure& exposure, double farthest_m) {
+mission::FloorSighting GlancedEyes::FloorAllRound(const sim::Exposure& exposure,
+                                                  double farthest_m) {
   constexpr int kDirections = 360;
   constexpr double kAnkle_m = 0.05;  // whatever is lower the robot drives over
   const sim::RigPose& pose = exposure.path.middle();
@@ -76,18 +77,18 @@ mission::FloorSeen GlancedEyes::FloorAllRound(const sim::Exposure& exposure, dou
   const auto distances_m = glancer_.AllRound(from_W_m, kAnkle_m, kDirections, farthest_m);
   const Eigen::Vector3d forward_W = pose.X_WR.linear().col(0);
   const double heading_rad = std::atan2(forward_W.y(), forward_W.x());
-  mission::FloorSeen seen;
-  seen.target = SightingOf(glancer_.GeonByFloorCamera(pose, exposure.seq), rig_.floor_camera,
-                           options_.floor.min_target_pixels);
+  mission::FloorSighting sighting;
+  sighting.seen = SightingOf(glancer_.GeonByFloorCamera(pose, exposure.seq), rig_.floor_camera,
+                             options_.floor.min_target_pixels);
   for (int k = kDirections - 1; k >= 0; --k) {  // from left to right
     const double bearing_rad = 2.0 * kPi * k / kDirections - heading_rad;
     const double distance_m = distances_m[static_cast<size_t>(k)];
     navigation::FloorColumn column;
     column.end_R_m = distance_m * Eigen::Vector2d(std::cos(bearing_rad), std::sin(bearing_rad));
     column.obstacle = distance_m < farthest_m;
-    seen.columns.push_back(column);
+    sighting.columns.push_back(column);
   }
-  return seen;
+  return sighting;
 }
 
 }  // namespace geon::lockstep

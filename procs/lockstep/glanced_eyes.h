@@ -17,10 +17,10 @@ class GlancedEyes {
               const mission::SeeingOptions& options);
 
   attention::TargetSighting Head(const sim::Exposure& exposure);
-  mission::FloorSeen Floor(const sim::Exposure& exposure);
+  mission::FloorSighting Floor(const sim::Exposure& exposure);
   // As Floor, but nothing is hidden by the camera's view, and nothing is off: all round to
   // `farthest_m`, of what stands on the floor.
-  mission::FloorSeen FloorAllRound(const sim::Exposure& exposure, double farthest_m);
+  mission::FloorSighting FloorAllRound(const sim::Exposure& exposure, double farthest_m);
 
  private:
   sim::Glancer glancer_;

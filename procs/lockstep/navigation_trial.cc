@@ -17,10 +17,9 @@ constexpr std::array<std::pair<SensorQuality, std::string_view>, 3> kQualities =
     {{SensorQuality::kPerfect, "perfect"},
      {SensorQuality::kReal, "real"},
      {SensorQuality::kDegraded, "degraded"}}};
-constexpr std::array<std::pair<NavigationEnd, std::string_view>, 4> kEnds = {
+constexpr std::array<std::pair<NavigationEnd, std::string_view>, 3> kEnds = {
     {{NavigationEnd::kReached, "reached"},
      {NavigationEnd::kUnreachable, "unreachable"},
-     {NavigationEnd::kNoneFound, "none_found"},
      {NavigationEnd::kTrapped, "trapped"}}};
 
 template <typename Names, typename Value>
@@ -42,10 +41,7 @@ std::optional<Value> ValueOf(const std::array<std::pair<Value, std::string_view>
 std::optional<double> DistanceToGeon(const sim::World& world, const sim::RobotTruth& truth) {
   std::optional<double> nearest_m;
   for (const sim::WorldObject& object : world.objects) {
-    if (std::holds_alternative<sim::BoxShape>(object.shape) ||
-        std::holds_alternative<sim::CylinderShape>(object.shape)) {
-      continue;
-    }
+    if (!sim::IsTarget(object)) continue;
     const double distance_m = std::hypot(object.x_m - truth.x_m, object.y_m - truth.y_m);
     nearest_m = std::min(nearest_m.value_or(distance_m), distance_m);
   }
@@ -59,8 +55,6 @@ NavigationEnd EndOf(const mission::Mission& mission, bool in_position) {
       return NavigationEnd::kReached;
     case sensor::MissionOutcome::kUnreachable:
       return NavigationEnd::kUnreachable;
-    case sensor::MissionOutcome::kNoneFound:
-      return NavigationEnd::kNoneFound;
     default:
       return NavigationEnd::kTrapped;
   }

@@ -77,7 +77,7 @@ class Trip {
     if (step_++ % 4 == 0) {
       sensor::Image picture;
       picture.utime = base.utime;
-      senses.TakeFloorImage(now_s_, picture, FloorSeen{{}, Columns()});
+      senses.TakeFloorImage(now_s_, picture, FloorSighting{{}, {}, Columns()});
     }
     senses.Look(now_s_);
     answer = drive.Toward(now_s_, target_W_m_, kStop_m, &senses);
@@ -252,7 +252,7 @@ TEST(MapDriveTest, WhatMayBeAMistakeIsForgottenAfterListeningAndBeforeLookingRou
   column.obstacle = true;
   sensor::Image picture;
   picture.utime = MicrosecondsFromSeconds(trip.now_s());
-  trip.senses.TakeFloorImage(trip.now_s(), picture, FloorSeen{{}, {column}});
+  trip.senses.TakeFloorImage(trip.now_s(), picture, FloorSighting{{}, {}, {column}});
   trip.senses.Look(trip.now_s());
   const auto is_known = [&] {
     const navigation::OccupancyGrid& map = *trip.senses.map();

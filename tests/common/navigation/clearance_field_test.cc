@@ -79,7 +79,7 @@ TEST(ClearanceFieldTest, IsInfiniteWithoutObstacles) {
   OccupancyGrid grid({});
   ClearanceField field;
   field.Compute(grid, WindowAround(1.0, grid));
-  EXPECT_EQ(field.size(), 1600u);
+  EXPECT_EQ(field.window().size(), 1600u);
   ForEachCell(field.window(), [&](GridCell cell) { EXPECT_TRUE(std::isinf(field.At(cell))); });
 }
 
@@ -91,10 +91,10 @@ TEST(ClearanceFieldTest, ASecondComputationKnowsNothingOfTheFirst) {
   grid.Clear();
   const GridWindow window{{3, -2}, {9, 1}};
   field.Compute(grid, window);
-  EXPECT_EQ(field.size(), 28u);
-  EXPECT_TRUE(field.Covers({9, 1}));
-  EXPECT_FALSE(field.Covers({10, 1}));
-  EXPECT_FALSE(field.Covers({3, -3}));
+  EXPECT_EQ(field.window().size(), 28u);
+  EXPECT_TRUE(field.window().Contains({9, 1}));
+  EXPECT_FALSE(field.window().Contains({10, 1}));
+  EXPECT_FALSE(field.window().Contains({3, -3}));
   ForEachCell(window, [&](GridCell cell) { EXPECT_TRUE(std::isinf(field.At(cell))); });
 }
 

@@ -64,28 +64,29 @@ std::vector<double> DijkstraCosts(const World& world, const Goals& goals) {
   const ClearanceField& clearance = world.clearance;
   const CostToGoOptions& options = world.options;
   const double cell_m = world.grid.cell_m();
-  std::vector<double> cost_m(clearance.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> cost_m(clearance.window().size(), std::numeric_limits<double>::infinity());
   using Entry = std::pair<double, std::pair<int, int>>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   const auto offer = [&](GridCell cell, double offered_m) {
-    if (offered_m >= cost_m[clearance.Index(cell)]) return;
-    cost_m[clearance.Index(cell)] = offered_m;
+    if (offered_m >= cost_m[clearance.window().Index(cell)]) return;
+    cost_m[clearance.window().Index(cell)] = offered_m;
     queue.push({offered_m, {cell.x, cell.y}});
   };
   const auto least_m = static_cast<float>(options.least_clearance_m);
   const auto too_near = [&](GridCell cell) { return clearance.At(cell) < least_m; };
   for (const CostToGo::Goal& goal : goals) {
-    if (clearance.Covers(goal.cell) && !too_near(goal.cell)) offer(goal.cell, goal.cost_m);
+    if (clearance.window().Contains(goal.cell) && !too_near(goal.cell))
+      offer(goal.cell, goal.cost_m);
   }
   while (!queue.empty()) {
     const auto [now_m, at] = queue.top();
     queue.pop();
     const GridCell cell{at.first, at.second};
-    if (now_m > cost_m[clearance.Index(cell)]) continue;
+    if (now_m > cost_m[clearance.window().Index(cell)]) continue;
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) {
         const GridCell from{cell.x + dx, cell.y + dy};
-        if (from == cell || !clearance.Covers(from)) continue;
+        if (from == cell || !clearance.window().Contains(from)) continue;
         if (clearance.At(from) < 1.5F * static_cast<float>(cell_m)) continue;
         if (too_near(cell) && !too_near(from)) continue;
         double metre_m = 1.0;
@@ -109,13 +110,13 @@ void ExpectDijkstra(const World& world, const Goals& goals) {
   int differing = 0;
   ForEachCell(world.clearance.window(), [&](GridCell cell) {
     const double cost_m = world.cost.At(cell);
-    const double other_m = expected_m[world.clearance.Index(cell)];
+    const double other_m = expected_m[world.clearance.window().Index(cell)];
     const bool same = std::isinf(other_m)
                           ? std::isinf(cost_m)
                           : std::abs(cost_m - other_m) <= 1e-3 * std::max(other_m, 0.01);
     if (!same) ++differing;
   });
-  EXPECT_EQ(differing, 0) << "of " << world.clearance.size() << " cells";
+  EXPECT_EQ(differing, 0) << "of " << world.clearance.window().size() << " cells";
 }
 
 TEST(CostToGoTest, OnFreeSeenFloorItIsTheDistance) {
@@ -170,7 +171,7 @@ TEST(CostToGoTest, AGoalHasNoNext) {
     const Goals goals = RandomGoals(world, &random);
     world.To(goals);
     for (const CostToGo::Goal& goal : goals) {
-      if (!world.clearance.Covers(goal.cell)) continue;
+      if (!world.clearance.window().Contains(goal.cell)) continue;
       if (world.cost.At(goal.cell) < static_cast<float>(goal.cost_m)) continue;  // another's
       EXPECT_FALSE(world.cost.Next(goal.cell).has_value()) << "round " << round;
     }

@@ -31,6 +31,18 @@ double DistanceToPolygon(const geometry::ConvexPolygon& polygon, const Vector2d&
   return nearest_m;
 }
 
+// Convex, counter-clockwise, around the robot.
+void ExpectSafeShape(const geometry::ConvexPolygon& polygon) {
+  ASSERT_FALSE(polygon.empty());
+  EXPECT_TRUE(polygon.Contains(Vector2d::Zero(), 1e-6));
+  const auto v = polygon.vertices();
+  for (size_t i = 0; i < v.size(); ++i) {
+    const Vector2d a_m = v[(i + 1) % v.size()] - v[i];
+    const Vector2d b_m = v[(i + 2) % v.size()] - v[(i + 1) % v.size()];
+    EXPECT_GE(a_m.x() * b_m.y() - a_m.y() * b_m.x(), -1e-9);
+  }
+}
+
 TEST(SafePolygonTest, WithoutObstaclesItIsTheDefaultBox) {
   const SafePolygonOptions options;
   const auto polygon = SafePolygon({}, options);
@@ -76,15 +88,7 @@ TEST(SafePolygonTest, AlwaysConvexAroundTheRobotAndClearOfEveryObstacle) {
     }
     const std::vector<Vector2d> all_m = obstacles_m;
     const auto polygon = SafePolygon(obstacles_m, options);
-    ASSERT_FALSE(polygon.empty());
-    EXPECT_TRUE(polygon.Contains(Vector2d::Zero(), 1e-6));
-
-    const auto v = polygon.vertices();
-    for (size_t i = 0; i < v.size(); ++i) {
-      const Vector2d a_m = v[(i + 1) % v.size()] - v[i];
-      const Vector2d b_m = v[(i + 2) % v.size()] - v[(i + 1) % v.size()];
-      EXPECT_GE(a_m.x() * b_m.y() - a_m.y() * b_m.x(), -1e-9);
-    }
+    ExpectSafeShape(polygon);
     double kept_m = options.clearance_m;
     for (const Vector2d& p_m : all_m) kept_m = std::min(kept_m, p_m.norm());
     for (const Vector2d& p_m : all_m) {
@@ -111,18 +115,6 @@ TEST(SafePolygonTest, RefusesOptionsThatNeedMoreLinesThanFit) {
   EXPECT_FALSE(options.IsValid(&error));
   EXPECT_THAT(error, testing::HasSubstr("slack_m"));
   EXPECT_THROW(SafePolygon({}, options), ContractViolation);
-}
-
-// Convex, counter-clockwise, around the robot.
-void ExpectSafeShape(const geometry::ConvexPolygon& polygon) {
-  ASSERT_FALSE(polygon.empty());
-  EXPECT_TRUE(polygon.Contains(Vector2d::Zero(), 1e-6));
-  const auto v = polygon.vertices();
-  for (size_t i = 0; i < v.size(); ++i) {
-    const Vector2d a_m = v[(i + 1) % v.size()] - v[i];
-    const Vector2d b_m = v[(i + 2) % v.size()] - v[(i + 1) % v.size()];
-    EXPECT_GE(a_m.x() * b_m.y() - a_m.y() * b_m.x(), -1e-9);
-  }
 }
 
 // Points anywhere, or along walls, none nearer than `nearest_m`.

@@ -54,7 +54,8 @@ TEST(ViewingPositionsTest, AreAllThePlacesOfTheRing) {
 TEST(ViewingPositionsTest, AreCellsOfTheWindow) {
   const Room room = LookAt({1.0, 0.0}, {}, 1.0);
   EXPECT_FALSE(room.goals.empty());
-  for (const CostToGo::Goal& goal : room.goals) EXPECT_TRUE(room.clearance.Covers(goal.cell));
+  for (const CostToGo::Goal& goal : room.goals)
+    EXPECT_TRUE(room.clearance.window().Contains(goal.cell));
   EXPECT_TRUE(LookAt({9.0, 0.0}, {}, 1.0).goals.empty());
 }
 

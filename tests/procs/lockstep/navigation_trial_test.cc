@@ -71,8 +71,8 @@ TEST(NavigationNamesTest, NamesLeadBackToTheirValues) {
        {SensorQuality::kPerfect, SensorQuality::kReal, SensorQuality::kDegraded}) {
     EXPECT_EQ(SensorQualityFromString(ToString(quality)), quality);
   }
-  for (const NavigationEnd end : {NavigationEnd::kReached, NavigationEnd::kUnreachable,
-                                  NavigationEnd::kNoneFound, NavigationEnd::kTrapped}) {
+  for (const NavigationEnd end :
+       {NavigationEnd::kReached, NavigationEnd::kUnreachable, NavigationEnd::kTrapped}) {
     EXPECT_EQ(NavigationEndFromString(ToString(end)), end);
   }
   EXPECT_FALSE(SensorQualityFromString("good").has_value());
