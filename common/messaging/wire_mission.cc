@@ -308,7 +308,7 @@ Result<sensor::PlannerState> FromWire(const geon::planner_state_t& wire) {
   state.seq = wire.seq;
   state.phase = wire.phase;
   state.text = wire.text;
-  state.outcome = checks.Enumeration("outcome", wire.outcome, sensor::MissionOutcome::kUnreachable);
+  state.outcome = checks.Enumeration("outcome", wire.outcome, sensor::MissionOutcome::kNoneFound);
   state.x_m = wire.x_m;
   state.y_m = wire.y_m;
   state.heading_rad = wire.heading_rad;

@@ -1,6 +1,7 @@
 #include "mission/map_drive.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/angles.h"
@@ -21,15 +22,6 @@ constexpr double kRecovered_m = 0.5;     // moved: the next trouble is a new one
 constexpr double kRing_s = 1.3;          // all sonars have fired
 constexpr double kTurnRate_rad_s = 0.8;  // for the floor camera's pictures to overlap
 constexpr double kStepBack_s = 3.0;
-
-navigation::GridWindow Including(navigation::GridWindow window, navigation::GridCell cell,
-                                 int margin) {
-  window.first = {std::min(window.first.x, cell.x - margin),
-                  std::min(window.first.y, cell.y - margin)};
-  window.last = {std::max(window.last.x, cell.x + margin),
-                 std::max(window.last.y, cell.y + margin)};
-  return window;
-}
 
 // Gaps look narrower from afar than they are: where nothing else leads on, the robot goes and looks
 // whether one that seems a little too tight lets it pass. The safe polygon decides.
@@ -55,17 +47,16 @@ void MapDrive::Rest() {
   recovery_ = Recovery::kNone;
 }
 
-MapDrive::Answer MapDrive::Toward(double now_s, const Eigen::Vector2d& p_WTarget_m,
-                                  double stop_distance_m, Senses* senses) {
-  stop_distance_m_ = stop_distance_m;
-  own_m_ = std::max(0.0, stop_distance_m - options_.map_polygon.clearance_m);
-  Map(now_s, p_WTarget_m, *senses);
+MapDrive::Answer MapDrive::Drive(double now_s, const Goal& goal, Senses* senses) {
+  goal_ = goal;
+  own_m_ = std::max(0.0, goal.stop_distance_m - options_.map_polygon.clearance_m);
+  Map(now_s, *senses);
   const geometry::RigidTransform X_WR = senses->X_WR();
-  const Eigen::Vector2d target_R_m = geometry::OnGround(X_WR.inverse(), p_WTarget_m);
+  const Eigen::Vector2d goal_R_m = geometry::OnGround(X_WR.inverse(), goal.p_W_m);
   bending_R_m_.clear();
   std::copy_if(senses->obstacles_R_m().begin(), senses->obstacles_R_m().end(),
                std::back_inserter(bending_R_m_),
-               [&](const auto& p_m) { return (p_m - target_R_m).norm() > own_m_; });
+               [&](const auto& p_m) { return (p_m - goal_R_m).norm() >= own_m_; });
   polygon_R_ = navigation::SafePolygon(bending_R_m_, options_.map_polygon);
   if (recovering_) {
     if (auto answer = Recover(now_s, senses)) return *std::move(answer);
@@ -109,28 +100,28 @@ navigation::DriveVelocity MapDrive::Careful(navigation::DriveVelocity velocity,
   return velocity;
 }
 
-void MapDrive::Map(double now_s, const Eigen::Vector2d& p_WTarget_m, const Senses& senses) {
+std::vector<navigation::CostToGo::Goal> MapDrive::GoalCells(
+    const navigation::OccupancyGrid& map) const {
+  if (goal_.stop_distance_m <= 0.0) return {{map.CellAt(goal_.p_W_m), 0.0}};
+  navigation::ViewingOptions viewing;
+  viewing.distance_m = goal_.stop_distance_m - kInside_m;
+  return navigation::ViewingPositions(map, clearance_, goal_.p_W_m, own_m_, viewing);
+}
+
+void MapDrive::Map(double now_s, const Senses& senses) {
   const navigation::OccupancyGrid& map = *senses.map();
-  const bool moved = !mapped_W_m_ || (*mapped_W_m_ - p_WTarget_m).norm() > kSameTarget_m;
+  const bool moved = !mapped_W_m_ || (*mapped_W_m_ - goal_.p_W_m).norm() > kSameTarget_m;
   if (!moved && (map.revision() == mapped_revision_ || now_s - mapped_s_ < kMapEvery_s)) return;
-  mapped_W_m_ = p_WTarget_m;
+  mapped_W_m_ = goal_.p_W_m;
   mapped_revision_ = map.revision();
   mapped_s_ = now_s;
-  const auto margin = static_cast<int>(std::ceil(kBeyond_m / map.cell_m()));
-  const navigation::GridCell here = map.CellAt(senses.X_WR().translation().head<2>());
-  const navigation::GridCell target = map.CellAt(p_WTarget_m);
-  navigation::GridWindow window = Including({here, here}, target, margin);
-  window = Including(window, here, margin);
-  if (const auto known = map.known()) {
-    window = Including(window, known->first, 0);
-    window = Including(window, known->last, 0);
-  }
-  clearance_.Compute(map, window, [&](const Eigen::Vector2d& p_W_m) {
-    return (p_W_m - p_WTarget_m).norm() <= own_m_;
+  const std::array<Eigen::Vector2d, 2> ends_W_m = {senses.X_WR().translation().head<2>(),
+                                                   goal_.p_W_m};
+  const navigation::GridCell here = map.CellAt(ends_W_m[0]);
+  clearance_.Compute(map, map.WindowWith(ends_W_m, kBeyond_m), [&](const Eigen::Vector2d& p_W_m) {
+    return (p_W_m - goal_.p_W_m).norm() < own_m_;
   });
-  navigation::ViewingOptions viewing;
-  viewing.distance_m = stop_distance_m_ - kInside_m;
-  const auto goals = navigation::ViewingPositions(map, clearance_, p_WTarget_m, own_m_, viewing);
+  const auto goals = GoalCells(map);
   easy_cost_.Compute(map, clearance_, goals);
   cost_ = &easy_cost_;
   if (std::isfinite(easy_cost_.At(here))) return;
@@ -152,9 +143,9 @@ bool MapDrive::Progresses(double now_s, double cost_m) {
 }
 
 void MapDrive::StartRecovery(double now_s, const Senses& senses) {
-  recovery_ = recovery_ == Recovery::kGiveUp
-                  ? Recovery::kGiveUp
-                  : static_cast<Recovery>(static_cast<int>(recovery_) + 1);
+  const Recovery last = goal_.stop_distance_m > 0.0 ? Recovery::kStepBack : Recovery::kForget;
+  recovery_ = recovery_ >= last ? Recovery::kGiveUp
+                                : static_cast<Recovery>(static_cast<int>(recovery_) + 1);
   recovering_ = true;
   recovery_s_ = now_s;
   turned_rad_ = 0.0;

@@ -31,9 +31,15 @@ class MapDrive {
     std::string text;                        // what is being done, when it is not driving on
     std::optional<std::string> unreachable;  // why
   };
-  // Toward a place in W, to stop at most `stop_distance_m` before it.
+  // Toward a target in W, to stop at most `stop_distance_m` before it.
   Answer Toward(double now_s, const Eigen::Vector2d& p_WTarget_m, double stop_distance_m,
-                Senses* senses);
+                Senses* senses) {
+    return Drive(now_s, {p_WTarget_m, stop_distance_m}, senses);
+  }
+  // To a place in W. One of many, so that it is given up after the first two recoveries.
+  Answer To(double now_s, const Eigen::Vector2d& p_W_m, Senses* senses) {
+    return Drive(now_s, {p_W_m, 0.0}, senses);
+  }
 
   // Starts anew: another target, or something else took over meanwhile.
   void Rest();
@@ -44,7 +50,13 @@ class MapDrive {
 
  private:
   enum class Recovery { kNone, kListen, kForget, kLookRound, kStepBack, kGiveUp };
-  void Map(double now_s, const Eigen::Vector2d& p_WTarget_m, const Senses& senses);
+  struct Goal {
+    Eigen::Vector2d p_W_m = Eigen::Vector2d::Zero();
+    double stop_distance_m = 0.0;  // 0: a place to stand at, not a target
+  };
+  Answer Drive(double now_s, const Goal& goal, Senses* senses);
+  void Map(double now_s, const Senses& senses);
+  std::vector<navigation::CostToGo::Goal> GoalCells(const navigation::OccupancyGrid& map) const;
   std::optional<Answer> Recover(double now_s, Senses* senses);
   void StartRecovery(double now_s, const Senses& senses);
   // Slow where the body comes upon ground that no picture showed.
@@ -53,14 +65,14 @@ class MapDrive {
   bool Progresses(double now_s, double cost_m);
 
   DrivingOptions options_;
-  double stop_distance_m_ = 0.0;
-  double own_m_ = 0.0;
+  Goal goal_;
+  double own_m_ = 0.0;  // round the goal no obstacle counts: the target itself, its desk
   std::vector<Eigen::Vector2d> bending_R_m_;
   navigation::ClearanceField clearance_;
   // To the target: along ways of the clearance that is kept, and along tighter ones.
   navigation::CostToGo easy_cost_, tight_cost_;
   const navigation::CostToGo* cost_ = &easy_cost_;  // in use
-  std::optional<Eigen::Vector2d> mapped_W_m_;       // the target that cost_ leads to
+  std::optional<Eigen::Vector2d> mapped_W_m_;       // the goal that cost_ leads to
   int64_t mapped_revision_ = -1;
   double mapped_s_ = 0.0;
   geometry::ConvexPolygon polygon_R_;

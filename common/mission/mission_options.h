@@ -13,6 +13,7 @@
 #include "attention/find_target.h"
 #include "navigation/cost_to_go.h"
 #include "navigation/floor_obstacles.h"
+#include "navigation/next_view.h"
 #include "navigation/obstacle_memory.h"
 #include "navigation/occupancy_grid.h"
 #include "navigation/ring_obstacles.h"
@@ -78,7 +79,8 @@ struct LookingOptions {
   double max_target_distance_m = 7.0;  // a foot farther away is none
   active_vision::SearchOptions sweep{-1.05, 1.05, -0.26, 0.14, 0.5, 0.2};  // while looking about
   active_vision::SearchOptions near{-0.55, 0.55, -0.80, 0.05, 0.5, 0.2};   // for one that was lost
-  double sector_rad = 2.1;  // the robot turns by this much between sweeps
+  navigation::NextViewOptions next_view;  // of the planner `map`; the camera's height is the rig's
+  double sector_rad = 2.1;                // the robot turns by this much between sweeps
   active_vision::CenteringOptions centering;
   int centering_steps = 8;  // "several iterations" (thesis 4.2.2)
   int lost_looks = 3;       // pictures without the target before it counts as lost

@@ -14,6 +14,7 @@
 #include "mission/mission_options.h"
 #include "mission/senses.h"
 #include "mission/target_track.h"
+#include "navigation/view_coverage.h"
 #include "sensor/geon_verdict.h"
 #include "sensor/planner_state.h"
 #include "sensor/scan_set.h"
@@ -60,6 +61,7 @@ struct Context {
   Drive drive;
   MapDrive map_drive;
   TargetTrack target;
+  navigation::ViewCoverage coverage;  // what was looked at in vain; of the planner `map`
   Counters counters;
   int64_t next_scan_id = 1;
 

@@ -32,7 +32,37 @@ void SearchPhase::Enter(Context* context, bool near) {
   context->drive.Rest();
   floor_sightings_ = 0;
   sectors_ = 0;
+  const bool by_map = context->options.driving.planner == PlannerKind::kMap;
+  if (by_map && !near) {
+    StartCovering();
+    return;
+  }
   StartSweep(context, near ? context->options.looking.near : context->options.looking.sweep);
+}
+
+void SearchPhase::StartCovering() {
+  leg_ = Leg::kCover;
+  coverage_.Enter();
+}
+
+void SearchPhase::Cover(Context* context) {
+  const Senses& senses = context->senses;
+  if (senses.map() == nullptr) return;
+  if (senses.odometry_epoch() != odometry_epoch_) {
+    odometry_epoch_ = senses.odometry_epoch();
+    context->coverage.Clear();
+  }
+  const auto& looking = context->options.looking;
+  if (const auto& head = senses.head(); head && !head->seen.target) {
+    context->coverage.Look(
+        context->rig.color_camera,
+        head->X_WR * context->rig.ColorCameraPose(head->head.pan_rad, head->head.tilt_rad),
+        looking.next_view.farthest_m, *senses.map());
+  }
+  if (const auto& floor = senses.floor(); floor && !floor->seen.target) {
+    context->coverage.Look(context->rig.floor_camera, floor->X_WR * context->rig.X_RF,
+                           looking.next_view.floor_far_m, *senses.map());
+  }
 }
 
 Transition SearchPhase::Step(Context* context) {
@@ -50,7 +80,10 @@ Transition SearchPhase::Step(Context* context) {
       return Next{Phase::kApproach, "the floor camera sees the target's colour"};
     }
   }
+  Cover(context);
   switch (leg_) {
+    case Leg::kCover:
+      return coverage_.Step(context);
     case Leg::kSweep:
       Sweep(context);
       break;
@@ -137,6 +170,10 @@ void SearchPhase::Wander(Context* context) {
 
 void SearchPhase::NextLeg(Context* context) {
   leg_since_s_ = context->time_s;
+  if (context->options.driving.planner == PlannerKind::kMap) {
+    StartCovering();
+    return;
+  }
   const double sector_rad = context->options.looking.sector_rad;
   const int sectors = static_cast<int>(std::ceil(2.0 * kPi / sector_rad - 1e-9));
   if (++sectors_ < sectors) {

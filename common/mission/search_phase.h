@@ -2,14 +2,16 @@
 
 #include <vector>
 
+#include "mission/coverage_search.h"
 #include "mission/phase.h"
 
 namespace geon::mission {
 
-// Looks for the target: the head sweeps what lies before the robot row by row without stopping
-// (thesis 4.2.2), going back for what no picture showed; the robot turns
-// to the next sector, and after a full turn wanders a little and looks about anew (4.3). Both
-// cameras may find the target at any time.
+// Looks for the target. With the planner `map` wherever one could stand (coverage_search.h), ending
+// without one when all was looked at. With `thesis` the head sweeps what lies before the robot row
+// by row without stopping (4.2.2), going back for what no picture showed; the robot turns to the
+// next sector, and after a full turn wanders a little and looks about anew (4.3). A target that was
+// lost close by is first swept for there. Both cameras may find the target at any time.
 //
 // Ends with the head's sighting (centre it), or with two of the floor camera's (approach it).
 class SearchPhase {
@@ -18,7 +20,10 @@ class SearchPhase {
   Transition Step(Context* context);
 
  private:
-  enum class Leg { kSweep, kTurn, kWander };
+  enum class Leg { kSweep, kTurn, kWander, kCover };
+  // What a picture without a target showed was looked at.
+  void Cover(Context* context);
+  void StartCovering();
   void StartSweep(Context* context, const active_vision::SearchOptions& area);
   void Sweep(Context* context);
   void Turn(Context* context);
@@ -41,6 +46,8 @@ class SearchPhase {
   double look_since_s_ = 0.0;
   double heading_W_rad_ = 0.0;
   int floor_sightings_ = 0;
+  CoverageSearch coverage_;
+  int odometry_epoch_ = 0;  // in which the context's coverage was made
 };
 
 }  // namespace geon::mission

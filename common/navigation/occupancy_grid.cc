@@ -58,6 +58,23 @@ GridCell OccupancyGrid::CellAt(const Eigen::Vector2d& p_W_m) const {
           static_cast<int>(std::floor(p_W_m.y() / options_.cell_m))};
 }
 
+GridWindow OccupancyGrid::WindowWith(std::span<const Eigen::Vector2d> places_W_m,
+                                     double margin_m) const {
+  Require(!places_W_m.empty(), "OccupancyGrid::WindowWith: a place is needed");
+  const Eigen::Vector2d margin(margin_m, margin_m);
+  GridWindow window =
+      known().value_or(GridWindow{CellAt(places_W_m.front()), CellAt(places_W_m.front())});
+  const auto include = [&](GridCell cell) {
+    window.first = {std::min(window.first.x, cell.x), std::min(window.first.y, cell.y)};
+    window.last = {std::max(window.last.x, cell.x), std::max(window.last.y, cell.y)};
+  };
+  for (const Eigen::Vector2d& place_W_m : places_W_m) {
+    include(CellAt(place_W_m - margin));
+    include(CellAt(place_W_m + margin));
+  }
+  return window;
+}
+
 bool OccupancyGrid::Covers(GridCell cell) const {
   return cell.x >= -half_ && cell.x < half_ && cell.y >= -half_ && cell.y < half_;
 }

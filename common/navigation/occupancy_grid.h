@@ -119,6 +119,8 @@ class OccupancyGrid {
                      std::vector<Eigen::Vector2d>* points_W_m) const;
   // The cells that anything is known of; nothing before the first evidence.
   std::optional<GridWindow> known() const;
+  // Of all that is known, and of these places of W with `margin_m` round them.
+  GridWindow WindowWith(std::span<const Eigen::Vector2d> places_W_m, double margin_m) const;
   // Grows whenever a cell becomes an obstacle or ceases to be one.
   int64_t revision() const { return revision_; }
 

@@ -13,6 +13,7 @@ enum class MissionOutcome {
   kNamed = 1,
   kFailed = 2,       // for another reason than the next
   kUnreachable = 3,  // no way leads to the geon
+  kNoneFound = 4,    // all that can be seen from where the robot can go was looked at
 };
 
 // What the mission does and why. Points and polygons are in W (odometry).

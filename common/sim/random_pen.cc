@@ -21,11 +21,12 @@ constexpr double kApart_m = 1.5;  // robot and geon, at the start
 constexpr double kBoard_m = 0.08;
 constexpr double kGap_m = 0.75;
 
-constexpr std::array<std::pair<PenKind, std::string_view>, 5> kKinds = {{
+constexpr std::array<std::pair<PenKind, std::string_view>, 6> kKinds = {{
     {PenKind::kBoxes, "boxes"},
     {PenKind::kUTrap, "u_trap"},
     {PenKind::kDeadEnd, "dead_end"},
     {PenKind::kGap, "gap"},
+    {PenKind::kEmpty, "empty"},
     {PenKind::kUnreachable, "unreachable"},
 }};
 
@@ -83,7 +84,8 @@ class Pen {
   void PutBoard(const Eigen::Vector2d& middle_m, double along_m, double yaw_rad) {
     world_.objects.push_back(Box(middle_m, {along_m, kBoard_m, 0.5}, yaw_rad, noise_));
   }
-  // Whether the robot stands free, and the geon where it can be put; `reachable` as asked.
+  // Whether the robot stands free, and the geon, if there is one, where it can be put; `reachable`
+  // as asked.
   bool IsGood(bool reachable) const {
     const Eigen::Vector2d robot_m(world_.robot_x_m, world_.robot_y_m);
     if (robot_m.minCoeff() < kRobotRadius_m + 0.1 ||
@@ -94,20 +96,22 @@ class Pen {
       if (!std::holds_alternative<BoxShape>(object.shape)) continue;
       const auto outline_m = BoxOutline(object);
       if (NearestPointOfConvex(outline_m, robot_m).distance_m < kRobotRadius_m + 0.1) return false;
-      const bool desk = object.x_m == geon_m_.x() && object.y_m == geon_m_.y();
-      if (!desk && NearestPointOfConvex(outline_m, geon_m_).distance_m < 0.25) {
+      if (!geon_m_) continue;
+      const bool desk = object.x_m == geon_m_->x() && object.y_m == geon_m_->y();
+      if (!desk && NearestPointOfConvex(outline_m, *geon_m_).distance_m < 0.25) {
         return false;
       }
     }
-    if ((robot_m - geon_m_).norm() < kApart_m) return false;
-    return CanReach(world_, geon_m_, kLookNearest_m, kLookFarthest_m,
+    if (!geon_m_) return true;
+    if ((robot_m - *geon_m_).norm() < kApart_m) return false;
+    return CanReach(world_, *geon_m_, kLookNearest_m, kLookFarthest_m,
                     reachable ? kPassing_m : -0.05) == reachable;
   }
 
  private:
   NoiseSource* noise_;
   World world_;
-  Eigen::Vector2d geon_m_ = Eigen::Vector2d::Zero();
+  std::optional<Eigen::Vector2d> geon_m_;
 };
 
 // Boards at three sides of a rectangle whose open side looks along `open_rad`.
@@ -124,10 +128,11 @@ void PutU(const Eigen::Vector2d& middle_m, double wide_m, double deep_m, double 
 void Fill(PenKind kind, NoiseSource* noise, Pen* pen) {
   const Eigen::Vector2d size_m = pen->world().pen_size_m;
   switch (kind) {
-    case PenKind::kBoxes: {
+    case PenKind::kBoxes:
+    case PenKind::kEmpty: {
       const auto boxes = static_cast<int>(noise->Bits() % 6);
       pen->PutRobot(pen->AnyPlace(0.4), pen->AnyHeading());
-      pen->PutGeon(pen->AnyPlace(0.45));
+      if (kind == PenKind::kBoxes) pen->PutGeon(pen->AnyPlace(0.45));
       for (int k = 0; k < boxes; ++k) pen->PutBox(0.2, 0.7);
       return;
     }

@@ -56,6 +56,7 @@ std::vector<NavigationCase> PenCases(const NavigationArguments& arguments) {
     each.pen = sim::PenKindFromString(arguments.pen).value_or(sim::MixedPenKind(each.trial.seed));
     each.trial.world = ToString(each.pen);
     if (each.pen == sim::PenKind::kUnreachable) each.trial.expected = NavigationEnd::kUnreachable;
+    if (each.pen == sim::PenKind::kEmpty) each.trial.expected = NavigationEnd::kNoneFound;
     cases.push_back(each);
   }
   return cases;
@@ -66,11 +67,10 @@ Result<std::vector<NavigationCase>> WorldCases(const NavigationArguments& argume
   for (const std::filesystem::path& file : arguments.worlds) {
     Result<sim::World> world = sim::LoadWorld(file);
     if (!world.ok()) return world.status();
-    if (std::none_of(world->objects.begin(), world->objects.end(), sim::IsTarget)) {
-      return Status::Error(file.string() +
-                           ": there is no geon and no mesh to drive to among its objects");
-    }
     NavigationCase each;
+    if (std::none_of(world->objects.begin(), world->objects.end(), sim::IsTarget)) {
+      each.trial.expected = NavigationEnd::kNoneFound;
+    }
     each.trial.t = static_cast<int>(cases.size());
     each.trial.seed = arguments.seed + cases.size();
     each.trial.world = file.filename().string();
@@ -196,9 +196,10 @@ void AddExperimentNavigationCommand(CLI::App& experiment, int* exit_code) {
       ->capture_default_str();
   command
       ->add_option("--pen", arguments->pen,
-                   "of one kind only: boxes, u_trap, dead_end, gap or unreachable; mixed: "
+                   "of one kind only: boxes, u_trap, dead_end, gap, empty or unreachable; mixed: "
                    "half boxes, the others up to gap in equal parts")
-      ->check(CLI::IsMember({"mixed", "boxes", "u_trap", "dead_end", "gap", "unreachable"}))
+      ->check(
+          CLI::IsMember({"mixed", "boxes", "u_trap", "dead_end", "gap", "empty", "unreachable"}))
       ->capture_default_str();
   command->add_option("--worlds", arguments->worlds, "world files instead of random pens")
       ->check(CLI::ExistingFile);

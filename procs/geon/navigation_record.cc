@@ -90,6 +90,7 @@ json RatesOf(const NavigationSummary& summary) {
           {"hardest_contact_m_s", summary.hardest_contact_m_s},
           {"trapped", summary.trapped},
           {"unreachable", summary.unreachable},
+          {"none_found", summary.none_found},
           {"time_s", spread ? json{{"p50", spread->p50}, {"p95", spread->p95}, {"max", spread->max}}
                             : json()}};
 }
@@ -107,9 +108,9 @@ json RatesJson(const NavigationRecord& record) {
 std::string Row(const std::string& name, const NavigationSummary& summary) {
   const auto spread = SpreadOf(summary.times_s);
   char text[200];
-  std::snprintf(text, sizeof text, "%-16s%8d%8d%9d%13d%9d%10d%9.2f", name.c_str(), summary.runs,
-                summary.right, summary.reached, summary.unreachable, summary.trapped,
-                summary.contacts, summary.hardest_contact_m_s);
+  std::snprintf(text, sizeof text, "%-16s%8d%8d%9d%13d%12d%9d%10d%9.2f", name.c_str(), summary.runs,
+                summary.right, summary.reached, summary.unreachable, summary.none_found,
+                summary.trapped, summary.contacts, summary.hardest_contact_m_s);
   std::string row = text;
   if (spread) {
     std::snprintf(text, sizeof text, "%9.1f%8.1f%8.1f", spread->p50, spread->p95, spread->max);
@@ -145,6 +146,7 @@ NavigationSummary Summarize(const NavigationRecord& record, const std::string& w
     summary.right += trial.right() ? 1 : 0;
     summary.reached += trial.end == NavigationEnd::kReached ? 1 : 0;
     summary.unreachable += trial.end == NavigationEnd::kUnreachable ? 1 : 0;
+    summary.none_found += trial.end == NavigationEnd::kNoneFound ? 1 : 0;
     summary.trapped += trial.end == NavigationEnd::kTrapped ? 1 : 0;
     summary.contacts += trial.contacts;
     summary.hardest_contact_m_s = std::max(summary.hardest_contact_m_s, trial.hardest_contact_m_s);
@@ -209,7 +211,7 @@ std::string NavigationTables(const NavigationRecord& record) {
   std::string text = "planner " + record.planner + ", sensors " +
                      record.conditions.value("sensors", "") +
                      "; times in s, from the first sight to the place to look from\n" +
-                     "world               runs   right  reached  unreachable  trapped"
+                     "world               runs   right  reached  unreachable  none found  trapped"
                      "  contacts  at m/s   median     95 %     max\n";
   const std::vector<std::string> worlds = WorldsOf(record);
   constexpr size_t kMostRows = 40;

@@ -70,7 +70,7 @@ std::string NavigationPage(const NavigationRecord& record);
 struct NavigationSummary {
   int runs = 0;
   int right = 0;
-  int reached = 0, unreachable = 0, trapped = 0;
+  int reached = 0, unreachable = 0, none_found = 0, trapped = 0;
   int contacts = 0;
   double hardest_contact_m_s = 0.0;
   std::vector<double> times_s;  // from the first sight to the place, of those that got there

@@ -52,6 +52,8 @@ std::string OutcomeName(const MissionWatch& watch, bool ended) {
       return "named";
     case sensor::MissionOutcome::kUnreachable:
       return "unreachable";
+    case sensor::MissionOutcome::kNoneFound:
+      return "none_found";
     default:
       return "failed";
   }

@@ -17,9 +17,10 @@ constexpr std::array<std::pair<SensorQuality, std::string_view>, 3> kQualities =
     {{SensorQuality::kPerfect, "perfect"},
      {SensorQuality::kReal, "real"},
      {SensorQuality::kDegraded, "degraded"}}};
-constexpr std::array<std::pair<NavigationEnd, std::string_view>, 3> kEnds = {
+constexpr std::array<std::pair<NavigationEnd, std::string_view>, 4> kEnds = {
     {{NavigationEnd::kReached, "reached"},
      {NavigationEnd::kUnreachable, "unreachable"},
+     {NavigationEnd::kNoneFound, "none_found"},
      {NavigationEnd::kTrapped, "trapped"}}};
 
 template <typename Names, typename Value>
@@ -55,6 +56,8 @@ NavigationEnd EndOf(const mission::Mission& mission, bool in_position) {
       return NavigationEnd::kReached;
     case sensor::MissionOutcome::kUnreachable:
       return NavigationEnd::kUnreachable;
+    case sensor::MissionOutcome::kNoneFound:
+      return NavigationEnd::kNoneFound;
     default:
       return NavigationEnd::kTrapped;
   }

@@ -28,6 +28,7 @@ LockstepSettings ForNavigation(LockstepSettings settings, SensorQuality quality)
 enum class NavigationEnd {
   kReached,      // the robot stands where it is to look at the geon, or named it from elsewhere
   kUnreachable,  // the mission says that no way leads there
+  kNoneFound,    // the mission says that there is none where it can look
   kTrapped,      // anything else: out of time, or another reason to give up
 };
 std::string_view ToString(NavigationEnd end);
