@@ -59,7 +59,7 @@ TargetFinder::TargetFinder(ColorModel model, const AttentionOptions& options, Si
   Require(!error, "AttentionOptions: " + error.value_or(""));
 }
 
-TargetSighting TargetFinder::Find(const sensor::Image& image) const {
+TargetSighting TargetFinder::Find(const sensor::Image& image, const Accepts& accepts) const {
   TargetSighting sighting;
   sighting.width_px = image.width_px;
   sighting.height_px = image.height_px;
@@ -76,11 +76,19 @@ TargetSighting TargetFinder::Find(const sensor::Image& image) const {
 
   sighting.mask.assign(static_cast<size_t>(image.width_px) * static_cast<size_t>(image.height_px),
                        0);
-  const std::optional<size_t> chosen = ChooseTarget(sighting.blobs, image.width_px, image.height_px,
+  std::vector<Blob> candidates;
+  std::vector<size_t> places;  // of the candidates in `blobs`
+  for (size_t k = 0; k < sighting.blobs.size(); ++k) {
+    if (accepts && !accepts(sighting.blobs[k])) continue;
+    candidates.push_back(sighting.blobs[k]);
+    places.push_back(k);
+  }
+  const std::optional<size_t> chosen = ChooseTarget(candidates, image.width_px, image.height_px,
                                                     options_.min_target_pixels, options_.choice);
   if (!chosen) return sighting;
-  const int target = static_cast<int>(order[*chosen]);
-  const auto place = sighting.blobs.begin() + static_cast<std::ptrdiff_t>(*chosen);
+  const size_t index = places[*chosen];
+  const int target = static_cast<int>(order[index]);
+  const auto place = sighting.blobs.begin() + static_cast<std::ptrdiff_t>(index);
   std::rotate(sighting.blobs.begin(), place, place + 1);
   sighting.target = sighting.blobs.front();
   const sensor::PixelBox& box = sighting.target->box;

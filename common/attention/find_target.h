@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,9 +60,11 @@ class TargetFinder {
   TargetFinder(ColorModel model, const AttentionOptions& options,
                SimdLevel level = SimdLevels().back());
 
+  // Which blobs may be the target; an empty function accepts all.
+  using Accepts = std::function<bool(const Blob&)>;
   // Input: kRgb8 or kBgr8. Throws ContractViolation for other formats and for a size that does not
   // fit the data.
-  TargetSighting Find(const sensor::Image& image) const;
+  TargetSighting Find(const sensor::Image& image, const Accepts& accepts = {}) const;
 
  private:
   AttentionOptions options_;

@@ -279,6 +279,36 @@ Result<sensor::GeonVerdict> FromWire(const geon::verdict_t& wire) {
   return checks.Finish(std::move(verdict));
 }
 
+geon::finding_t ToFinding(const sensor::GeonFinding& finding) {
+  geon::finding_t wire{};
+  wire.label = finding.label ? static_cast<int32_t>(*finding.label) : -1;
+  wire.confidence_1 = finding.confidence;
+  wire.decided = finding.decided ? 1 : 0;
+  std::copy(finding.posterior.begin(), finding.posterior.end(), wire.posterior_1);
+  wire.place = ToPoint(finding.p_W_m);
+  wire.support_height_m = finding.support_height_m;
+  wire.views = finding.views;
+  wire.why = finding.why;
+  return wire;
+}
+
+Result<sensor::GeonFinding> FromFinding(const geon::finding_t& wire) {
+  FieldChecks checks;
+  sensor::GeonFinding finding;
+  if (wire.label != -1) {
+    finding.label = checks.Enumeration("label", wire.label, GeonLabel::kBentCylinder);
+  }
+  finding.confidence = wire.confidence_1;
+  checks.Finite("confidence_1", wire.confidence_1);
+  finding.decided = wire.decided != 0;
+  std::copy(wire.posterior_1, wire.posterior_1 + kGeonLabelCount, finding.posterior.begin());
+  finding.p_W_m = FromPoint(wire.place);
+  finding.support_height_m = wire.support_height_m;
+  finding.views = wire.views;
+  finding.why = wire.why;
+  return checks.Finish(std::move(finding));
+}
+
 geon::planner_state_t ToWire(const sensor::PlannerState& state) {
   geon::planner_state_t wire{};
   wire.utime = state.utime;
@@ -298,6 +328,10 @@ geon::planner_state_t ToWire(const sensor::PlannerState& state) {
   wire.obstacles = ToPoints(state.obstacles_W_m);
   wire.scan_id = state.scan_id;
   wire.stripe_index = state.stripe_index;
+  wire.nfindings = WireCount(state.findings);
+  for (const sensor::GeonFinding& finding : state.findings) {
+    wire.findings.push_back(ToFinding(finding));
+  }
   return wire;
 }
 
@@ -308,7 +342,7 @@ Result<sensor::PlannerState> FromWire(const geon::planner_state_t& wire) {
   state.seq = wire.seq;
   state.phase = wire.phase;
   state.text = wire.text;
-  state.outcome = checks.Enumeration("outcome", wire.outcome, sensor::MissionOutcome::kNoneFound);
+  state.outcome = checks.Enumeration("outcome", wire.outcome, sensor::MissionOutcome::kSurveyed);
   state.x_m = wire.x_m;
   state.y_m = wire.y_m;
   state.heading_rad = wire.heading_rad;
@@ -318,6 +352,9 @@ Result<sensor::PlannerState> FromWire(const geon::planner_state_t& wire) {
   state.obstacles_W_m = FromPoints(wire.obstacles);
   state.scan_id = wire.scan_id;
   state.stripe_index = wire.stripe_index;
+  for (const geon::finding_t& finding : wire.findings) {
+    state.findings.push_back(checks.Part("findings", FromFinding(finding)));
+  }
   return checks.Finish(std::move(state));
 }
 

@@ -3,14 +3,24 @@
 #include <cmath>
 #include <string>
 
+#include "base/angles.h"
+
 namespace geon::mission {
 
 namespace {
 
 constexpr double kOffAim_rad = 0.06;  // a third of the colour camera's half view
 constexpr double kFacingTarget_rad = 0.10;
-constexpr int kFloorLooks = 3;      // that may tell a desk from floor, before arriving at either
-constexpr double kUnseen_s = 12.0;  // then the estimate is no longer trusted
+constexpr int kFloorLooks = 3;        // that may tell a desk from floor, before arriving at either
+constexpr double kUnseen_s = 12.0;    // then the estimate is no longer trusted
+constexpr double kOnSide_rad = 0.40;  // half a side's width
+
+// Whether the robot stands on the side from which it is to look.
+bool IsOnSide(const Context& context, const Eigen::Vector2d& target_W_m) {
+  if (!context.side_rad) return true;
+  const Eigen::Vector2d out_m = context.senses.X_WR().translation().head<2>() - target_W_m;
+  return std::abs(WrapAngle(std::atan2(out_m.y(), out_m.x()) - *context.side_rad)) < kOnSide_rad;
+}
 
 std::string ApproachText(double distance_m) {
   return "approaching the target, " + std::to_string(distance_m).substr(0, 4) + " m away";
@@ -43,7 +53,8 @@ Transition ApproachPhase::Step(Context* context) {
   KeepHeadOn(context, *target);
 
   const Eigen::Vector2d target_R_m = InRobot(*context, target->p_WFoot_m);
-  if (target_R_m.norm() <= context->stop_distance_m + context->options.looking.stop_tolerance_m) {
+  if (target_R_m.norm() <= context->stop_distance_m + context->options.looking.stop_tolerance_m &&
+      IsOnSide(*context, target->p_WFoot_m)) {
     return Arrive(context, target_R_m);
   }
   if (context->options.driving.planner == PlannerKind::kMap) return DriveByMap(context, *target);
@@ -51,8 +62,13 @@ Transition ApproachPhase::Step(Context* context) {
 }
 
 Transition ApproachPhase::DriveByMap(Context* context, const SupportHypothesis& target) {
-  MapDrive::Answer answer = context->map_drive.Toward(context->time_s, target.p_WFoot_m,
-                                                      context->stop_distance_m, &context->senses);
+  MapDrive* drive = &context->map_drive;
+  const double stop_m = context->stop_distance_m;
+  const MapDrive::Answer answer =
+      context->side_rad
+          ? drive->Round(context->time_s, target.p_WFoot_m, stop_m, *context->side_rad,
+                         &context->senses)
+          : drive->Toward(context->time_s, target.p_WFoot_m, stop_m, &context->senses);
   context->text =
       answer.text.empty() ? ApproachText(InRobot(*context, target.p_WFoot_m).norm()) : answer.text;
   context->wishes.velocity = answer.velocity;

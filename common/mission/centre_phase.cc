@@ -49,6 +49,9 @@ Transition CentrePhase::Step(Context* context) {
   }
   if (++lost_ < context->options.looking.lost_looks) return std::nullopt;
   if (TryAnotherHeight(context)) return std::nullopt;
+  if (context->counters.losses++ >= context->options.patience.losses) {
+    return Next{Phase::kDone, "the target's colour is lost again and again"};
+  }
   return Next{Phase::kSearch, "the target's colour was lost", std::nullopt, true};
 }
 

@@ -24,6 +24,22 @@ cv::Mat AsBgr(const sensor::Image& image) {
   return bgr;
 }
 
+constexpr double kIgnored_m = 0.28;   // so near to one that is done with it is that one
+constexpr double kExpected_m = 0.50;  // so near to where it may be it is the one expected
+
+// Whether a thing seen at a pixel may be one of these places.
+bool IsAt(const std::vector<Eigen::Vector3d>& places_W_m, double radius_m,
+          const Eigen::Vector2d& pixel_px, const geometry::PinholeCamera& camera,
+          const geometry::RigidTransform& X_WC) {
+  const Eigen::Vector3d ray_W =
+      (X_WC.linear() * camera.Ray(pixel_px.x(), pixel_px.y())).normalized();
+  return std::any_of(places_W_m.begin(), places_W_m.end(), [&](const Eigen::Vector3d& place_W_m) {
+    const Eigen::Vector3d away_m = place_W_m - X_WC.translation();
+    const double along_m = away_m.dot(ray_W);
+    return along_m > 0.0 && (away_m - along_m * ray_W).norm() < radius_m;
+  });
+}
+
 }  // namespace
 
 Eyes::Eyes(const SeeingOptions& options, const geometry::SensorRig& rig)
@@ -34,6 +50,34 @@ Eyes::Eyes(const SeeingOptions& options, const geometry::SensorRig& rig)
       floor_model_(options.floor_model) {
   std::string error;
   Require(options.IsValid(&error), error);
+}
+
+attention::TargetSighting Eyes::Find(const attention::TargetFinder& finder,
+                                     const sensor::Image& image,
+                                     const geometry::PinholeCamera& camera,
+                                     const geometry::RigidTransform& X_WC) const {
+  const auto is_new = [&](const attention::Blob& blob) {
+    return !IsAt(focus_.ignored_W_m, kIgnored_m, blob.center_px, camera, X_WC);
+  };
+  if (!focus_.expected_W_m.empty()) {
+    auto seen = finder.Find(image, [&](const attention::Blob& blob) {
+      return is_new(blob) && IsAt(focus_.expected_W_m, kExpected_m, blob.center_px, camera, X_WC);
+    });
+    if (seen.target) return seen;
+  }
+  return finder.Find(image, is_new);
+}
+
+attention::TargetSighting Eyes::Allowed(attention::TargetSighting seen,
+                                        const geometry::PinholeCamera& camera,
+                                        const geometry::RigidTransform& X_WC) const {
+  if (!seen.target || !IsAt(focus_.ignored_W_m, kIgnored_m, seen.target->center_px, camera, X_WC)) {
+    return seen;
+  }
+  attention::TargetSighting nothing;
+  nothing.width_px = seen.width_px;
+  nothing.height_px = seen.height_px;
+  return nothing;
 }
 
 std::optional<HeadSighting> Eyes::LookHead(const PoseHistory& history) {
@@ -52,8 +96,11 @@ std::optional<HeadSighting> Eyes::LookHead(const PoseHistory& history) {
   sighting.head = head->head;
   sighting.still = head->still;
   sighting.X_WR = *X_WR;
-  sighting.seen =
-      head_seen_ ? *std::exchange(head_seen_, std::nullopt) : head_finder_.Find(sighting.image);
+  const geometry::RigidTransform X_WC =
+      *X_WR * rig_.ColorCameraPose(head->head.pan_rad, head->head.tilt_rad);
+  sighting.seen = head_seen_
+                      ? Allowed(*std::exchange(head_seen_, std::nullopt), rig_.color_camera, X_WC)
+                      : Find(head_finder_, sighting.image, rig_.color_camera, X_WC);
   return sighting;
 }
 
@@ -62,13 +109,15 @@ std::optional<FloorSighting> Eyes::LookFloor(const PoseHistory& history, bool pa
   const sensor::Image image = *std::exchange(floor_image_, std::nullopt);
   const auto X_WR = history.RobotAt(image.utime);
   if (!X_WR) return std::nullopt;
-  FloorSighting sighting =
-      floor_seen_ ? *std::exchange(floor_seen_, std::nullopt) : LookAtFloor(image, patch_is_free);
+  if (!floor_seen_) return LookAtFloor(image, *X_WR, patch_is_free);
+  FloorSighting sighting = *std::exchange(floor_seen_, std::nullopt);
   sighting.X_WR = *X_WR;
+  sighting.seen = Allowed(std::move(sighting.seen), rig_.floor_camera, *X_WR * rig_.X_RF);
   return sighting;
 }
 
-FloorSighting Eyes::LookAtFloor(const sensor::Image& image, bool patch_is_free) {
+FloorSighting Eyes::LookAtFloor(const sensor::Image& image, const geometry::RigidTransform& X_WR,
+                                bool patch_is_free) {
   const cv::Mat bgr = AsBgr(image);
   if (options_.learn_floor && !floor_learned_ && patch_is_free) {
     const auto learned = navigation::LearnFloor(bgr, rig_.floor_camera, rig_.X_RF,
@@ -76,7 +125,7 @@ FloorSighting Eyes::LookAtFloor(const sensor::Image& image, bool patch_is_free) 
     floor_learned_ = learned.has_value();
     floor_model_ = learned.value_or(options_.floor_model);
   }
-  return {geometry::RigidTransform::Identity(), floor_finder_.Find(image),
+  return {X_WR, Find(floor_finder_, image, rig_.floor_camera, X_WR * rig_.X_RF),
           navigation::FloorObstacles(navigation::NotFloorMask(bgr, floor_model_), rig_.floor_camera,
                                      rig_.X_RF, options_.floor_obstacles)};
 }

@@ -28,6 +28,12 @@ struct FloorSighting {
   std::vector<navigation::FloorColumn> columns;
 };
 
+// Which of the things of the target's colour are meant, in W.
+struct Focus {
+  std::vector<Eigen::Vector3d> ignored_W_m;   // middles of targets that are done with
+  std::vector<Eigen::Vector3d> expected_W_m;  // where the one that is driven to may be: preferred
+};
+
 // Looks at pictures once their poses are known. A picture waits for the base and PTU states that
 // follow its exposure; a newer picture takes the place of a waiting one.
 class Eyes {
@@ -47,6 +53,9 @@ class Eyes {
     floor_seen_ = std::move(seen);
   }
 
+  void SetFocus(Focus focus) { focus_ = std::move(focus); }
+  const Focus& focus() const { return focus_; }
+
   // The picture that waited, as soon as its pose is known; every picture is given once.
   std::optional<HeadSighting> LookHead(const PoseHistory& history);
   // `patch_is_free`: nothing stands on the floor before the robot, so its colour may be learned.
@@ -56,7 +65,16 @@ class Eyes {
   bool floor_learned() const { return floor_learned_; }
 
  private:
-  FloorSighting LookAtFloor(const sensor::Image& image, bool patch_is_free);
+  FloorSighting LookAtFloor(const sensor::Image& image, const geometry::RigidTransform& X_WR,
+                            bool patch_is_free);
+  // The target in a picture taken from X_WC, of those that the focus allows.
+  attention::TargetSighting Find(const attention::TargetFinder& finder, const sensor::Image& image,
+                                 const geometry::PinholeCamera& camera,
+                                 const geometry::RigidTransform& X_WC) const;
+  // The same for what somebody else has seen.
+  attention::TargetSighting Allowed(attention::TargetSighting seen,
+                                    const geometry::PinholeCamera& camera,
+                                    const geometry::RigidTransform& X_WC) const;
 
   SeeingOptions options_;
   geometry::SensorRig rig_;
@@ -64,6 +82,7 @@ class Eyes {
   attention::TargetFinder floor_finder_;
   navigation::FloorModel floor_model_;
   bool floor_learned_ = false;
+  Focus focus_;
   std::optional<sensor::Image> head_image_;
   std::optional<sensor::Image> floor_image_;
   std::optional<attention::TargetSighting> head_seen_;  // in head_image_

@@ -49,7 +49,8 @@ void MapDrive::Rest() {
 
 MapDrive::Answer MapDrive::Drive(double now_s, const Goal& goal, Senses* senses) {
   goal_ = goal;
-  own_m_ = std::max(0.0, goal.stop_distance_m - options_.map_polygon.clearance_m);
+  own_m_ =
+      goal.side_rad ? 0.0 : std::max(0.0, goal.stop_distance_m - options_.map_polygon.clearance_m);
   Map(now_s, *senses);
   const geometry::RigidTransform X_WR = senses->X_WR();
   const Eigen::Vector2d goal_R_m = geometry::OnGround(X_WR.inverse(), goal.p_W_m);
@@ -105,7 +106,9 @@ std::vector<navigation::CostToGo::Goal> MapDrive::GoalCells(
   if (goal_.stop_distance_m <= 0.0) return {{map.CellAt(goal_.p_W_m), 0.0}};
   navigation::ViewingOptions viewing;
   viewing.distance_m = goal_.stop_distance_m - kInside_m;
-  return navigation::ViewingPositions(map, clearance_, goal_.p_W_m, own_m_, viewing);
+  viewing.side_rad = goal_.side_rad;
+  const double own_m = goal_.stop_distance_m - options_.map_polygon.clearance_m;
+  return navigation::ViewingPositions(map, clearance_, goal_.p_W_m, own_m, viewing);
 }
 
 void MapDrive::Map(double now_s, const Senses& senses) {
@@ -143,7 +146,7 @@ bool MapDrive::Progresses(double now_s, double cost_m) {
 }
 
 void MapDrive::StartRecovery(double now_s, const Senses& senses) {
-  const Recovery last = goal_.stop_distance_m > 0.0 ? Recovery::kStepBack : Recovery::kForget;
+  const Recovery last = goal_.insists() ? Recovery::kStepBack : Recovery::kForget;
   recovery_ = recovery_ >= last ? Recovery::kGiveUp
                                 : static_cast<Recovery>(static_cast<int>(recovery_) + 1);
   recovering_ = true;

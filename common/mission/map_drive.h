@@ -34,11 +34,17 @@ class MapDrive {
   // Toward a target in W, to stop at most `stop_distance_m` before it.
   Answer Toward(double now_s, const Eigen::Vector2d& p_WTarget_m, double stop_distance_m,
                 Senses* senses) {
-    return Drive(now_s, {p_WTarget_m, stop_distance_m}, senses);
+    return Drive(now_s, {p_WTarget_m, stop_distance_m, {}}, senses);
+  }
+  // Round a target to one of its sides: the bearing in W from the target to the robot. Given up
+  // after the first two recoveries.
+  Answer Round(double now_s, const Eigen::Vector2d& p_WTarget_m, double stop_distance_m,
+               double side_rad, Senses* senses) {
+    return Drive(now_s, {p_WTarget_m, stop_distance_m, side_rad}, senses);
   }
   // To a place in W. One of many, so that it is given up after the first two recoveries.
   Answer To(double now_s, const Eigen::Vector2d& p_W_m, Senses* senses) {
-    return Drive(now_s, {p_W_m, 0.0}, senses);
+    return Drive(now_s, {p_W_m, 0.0, {}}, senses);
   }
 
   // Starts anew: another target, or something else took over meanwhile.
@@ -53,6 +59,8 @@ class MapDrive {
   struct Goal {
     Eigen::Vector2d p_W_m = Eigen::Vector2d::Zero();
     double stop_distance_m = 0.0;  // 0: a place to stand at, not a target
+    std::optional<double> side_rad;
+    bool insists() const { return stop_distance_m > 0.0 && !side_rad; }
   };
   Answer Drive(double now_s, const Goal& goal, Senses* senses);
   void Map(double now_s, const Senses& senses);
@@ -66,7 +74,9 @@ class MapDrive {
 
   DrivingOptions options_;
   Goal goal_;
-  double own_m_ = 0.0;  // round the goal no obstacle counts: the target itself, its desk
+  // Round a target no obstacle counts, they are its own and its desk's; unless the robot is to
+  // drive round them.
+  double own_m_ = 0.0;
   std::vector<Eigen::Vector2d> bending_R_m_;
   navigation::ClearanceField clearance_;
   // To the target: along ways of the clearance that is kept, and along tighter ones.

@@ -20,6 +20,8 @@ MissionOptions Checked(const MissionOptions& options) {
 constexpr double kFresh_s = 0.5;
 constexpr double kBlind_s = 1.2;
 
+constexpr double kOneTarget_m = 0.35;  // scans so near to each other are of one target
+
 bool Drives(Phase phase) {
   return phase == Phase::kSearch || phase == Phase::kApproach || phase == Phase::kBackOff;
 }
@@ -55,6 +57,11 @@ Mission::Mission(const MissionOptions& options, const geometry::SensorRig& rig, 
                TargetTrack(options.looking, rig),
                navigation::ViewCoverage(options.looking.support_heights_m),
                {},
+               std::nullopt,
+               std::nullopt,
+               {},
+               {},
+               {},
                run_id,
                0.0,
                options.looking.stop_distance_m,
@@ -76,6 +83,7 @@ Wishes Mission::Step(double now_s) {
   last_s_ = now_s;
   context_.wishes = {};
   if (phase_ != Phase::kDone) {
+    context_.senses.SetFocus(FocusNow());
     context_.senses.Look(now_s);
     Transition next;
     if (now_s - started_s_ > options_.patience.mission_s) {
@@ -88,6 +96,7 @@ Wishes Mission::Step(double now_s) {
       context_.time_s += step_s;
       next = CheckContact();
       if (!next) next = StepPhase();
+      if (next && next->phase == Phase::kDone) next = Conclude(*next);
     }
     if (next) Enter(*next);
   }
@@ -150,6 +159,112 @@ Transition Mission::StepPhase() {
       break;
   }
   return std::nullopt;
+}
+
+Focus Mission::FocusNow() const {
+  Focus focus;
+  focus.ignored_W_m = context_.ignored_W_m;
+  if (phase_ == Phase::kSearch) return focus;
+  for (const SupportHypothesis& target : context_.target.hypotheses()) {
+    if (target.sightings == 0) continue;
+    focus.expected_W_m.emplace_back(target.p_WFoot_m.x(), target.p_WFoot_m.y(),
+                                    target.support_height_m + kTargetMiddle_m);
+  }
+  return focus;
+}
+
+Transition Mission::Conclude(const Next& end) {
+  TargetViews& views = context_.views;
+  if (end.verdict) {
+    const SupportHypothesis* target = context_.target.Best();
+    const Eigen::Vector2d robot_W_m = context_.senses.X_WR().translation().head<2>();
+    const Eigen::Vector2d place_W_m =
+        context_.scanned_W_m.value_or(target != nullptr ? target->p_WFoot_m : robot_W_m);
+    // Another target than the one that was to be looked at again.
+    if (views.count() > 0 && (views.middle_W_m() - place_W_m).norm() > kOneTarget_m) {
+      FinishTarget("");
+    }
+    const Eigen::Vector2d out_m = robot_W_m - place_W_m;
+    views.Add(*end.verdict, std::atan2(out_m.y(), out_m.x()), place_W_m);
+  } else if (views.count() > 0 && context_.side_rad) {
+    views.GiveUp(*context_.side_rad);
+  }
+  if (views.count() > 0) {
+    if (auto again = LookAgain()) return again;
+  }
+  return NextGeon(end);
+}
+
+std::optional<Next> Mission::LookAgain() {
+  const TargetViews& views = context_.views;
+  if (options_.driving.planner != PlannerKind::kMap || views.Fused().decided ||
+      views.count() >= options_.patience.views) {
+    return std::nullopt;
+  }
+  context_.side_rad = views.NextBearing();
+  if (!context_.side_rad) return std::nullopt;
+  return Next{Phase::kApproach, "the evidence does not decide: looking from another side"};
+}
+
+std::optional<sensor::GeonVerdict> Mission::FinishTarget(const std::string& why) {
+  std::optional<sensor::GeonVerdict> verdict;
+  sensor::GeonFinding finding;
+  finding.why = why;
+  finding.views = context_.views.count();
+  const auto ignore = [&](const Eigen::Vector2d& p_W_m, double support_height_m) {
+    context_.ignored_W_m.emplace_back(p_W_m.x(), p_W_m.y(), support_height_m + kTargetMiddle_m);
+  };
+  const SupportHypothesis* target = context_.target.Best();
+  if (target != nullptr) {
+    finding.p_W_m = target->p_WFoot_m;
+    finding.support_height_m = target->support_height_m;
+  }
+  if (finding.views > 0) {
+    verdict = context_.views.Fused();
+    finding.label = verdict->label;
+    finding.confidence = verdict->confidence;
+    finding.decided = verdict->decided;
+    finding.posterior = verdict->posterior;
+    finding.p_W_m = context_.views.middle_W_m();
+    ignore(finding.p_W_m, finding.support_height_m);
+  } else {
+    // Not near enough to tell which support it stands on.
+    for (const SupportHypothesis& support : context_.target.hypotheses()) {
+      if (support.sightings > 0) ignore(support.p_WFoot_m, support.support_height_m);
+    }
+  }
+  const bool known = std::any_of(context_.findings.begin(), context_.findings.end(),
+                                 [&](const sensor::GeonFinding& other) {
+                                   return (other.p_W_m - finding.p_W_m).norm() < kOneTarget_m;
+                                 });
+  if (!known) context_.findings.push_back(finding);
+  context_.views.Clear();
+  context_.side_rad.reset();
+  context_.scanned_W_m.reset();
+  context_.counters = {0, 0, 0, context_.counters.bumps, 0};
+  return verdict;
+}
+
+Next Mission::NextGeon(const Next& end) {
+  const bool seen = context_.views.count() > 0 || phase_ != Phase::kSearch;
+  std::optional<sensor::GeonVerdict> verdict;
+  if (seen) verdict = FinishTarget(end.why);
+  if (!options_.inventory) {
+    Next done = end;
+    done.verdict = verdict;
+    if (verdict) done.outcome = sensor::MissionOutcome::kFailed;  // unless it is decided
+    return done;
+  }
+  if (!seen) {
+    Next done = end;
+    if (!context_.findings.empty()) {
+      done.outcome = sensor::MissionOutcome::kSurveyed;
+      done.why = std::to_string(context_.findings.size()) +
+                 " geons are done with, and there are no more to be seen in the reachable pen";
+    }
+    return done;
+  }
+  return {Phase::kSearch, (verdict ? Sentence(*verdict) : end.why) + "; looking for more"};
 }
 
 void Mission::Enter(const Next& next) {
@@ -223,6 +338,7 @@ sensor::PlannerState Mission::State() const {
   state.obstacles_W_m = InWorld(X_WR, senses.obstacles_R_m());
   state.scan_id = context_.scan_id;
   state.stripe_index = context_.stripe_index;
+  state.findings = context_.findings;
   return state;
 }
 

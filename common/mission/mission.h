@@ -19,6 +19,10 @@ namespace geon::mission {
 // a verdict. What was heard and the time go in, wishes come out; nothing here waits, sleeps or
 // sends, so that the same mission runs in a daemon and in virtual time.
 //
+// With the planner `map` a target that the verdict does not decide on is looked at again from
+// another side, and all views are weighed together; with `inventory` the mission goes on until all
+// geons that can be seen are done with (PlannerState::findings).
+//
 // Source: thesis chapter 4; every failure it names is a transition: target lost (search around it),
 // too large (step back), out of range, stripe missing (asked for again before the head moves on),
 // trapped (wander). So are a device that restarts (the phase's time stands still meanwhile) and a
@@ -56,6 +60,14 @@ class Mission {
   const char* MissingDevice(double now_s) const;
   void Enter(const Next& next);
   Transition StepPhase();
+  // What it means for the mission that a phase ended with a verdict, or with a reason why there is
+  // none: look again, go on to the next geon, or end.
+  Transition Conclude(const Next& end);
+  std::optional<Next> LookAgain();
+  // Its verdict, if it was ever scanned. One that is done with already is not kept twice.
+  std::optional<sensor::GeonVerdict> FinishTarget(const std::string& why);
+  Next NextGeon(const Next& end);
+  Focus FocusNow() const;
   Transition CheckContact();
   Transition Pause(double now_s, const char* device);
   void Bound(double now_s, navigation::DriveVelocity* velocity) const;

@@ -98,10 +98,10 @@ bool PatienceOptions::IsValid(std::string* error) const {
   if (!AllPositive({mission_s, device_s, stale_s, image_s, stripe_s, verdict_s})) {
     return Fail(error, "time limits must be positive");
   }
-  if (stripe_attempts < 1 || min_stripes < 1 || min_stripes > 6 || scans < 1 || back_offs < 0 ||
-      traps < 0 || bumps < 0) {
-    return Fail(error,
-                "attempts and scans at least 1, min_stripes 1..6, other counts not negative");
+  if (stripe_attempts < 1 || min_stripes < 1 || min_stripes > 6 || scans < 1 || views < 1 ||
+      back_offs < 0 || traps < 0 || bumps < 0 || losses < 0) {
+    return Fail(
+        error, "attempts, scans and views at least 1, min_stripes 1..6, other counts not negative");
   }
   return true;
 }

@@ -102,10 +102,12 @@ struct PatienceOptions {
   double verdict_s = 10.0;   // after the last profile
   int stripe_attempts = 3;   // per stripe, before the head moves on
   int min_stripes = 4;       // fewer profiles than this do not make a scan
-  int scans = 4;             // scans before giving up
+  int scans = 4;             // scans of one target before giving up
+  int views = 3;             // of a target that the verdict does not decide on; of planner `map`
   int back_offs = 4;         // steps back for a target too large or out of the head's reach
   int traps = 6;             // times the robot may get trapped on its way to the target
   int bumps = 5;             // contacts
+  int losses = 4;            // times a target's colour may get lost close by
 
   bool IsValid(std::string* error) const;
 };
@@ -115,7 +117,8 @@ struct MissionOptions {
   DrivingOptions driving;
   LookingOptions looking;
   PatienceOptions patience;
-  uint32_t seed = 1;  // of the wandering
+  bool inventory = false;  // name all geons, not just the first one; of planner `map`
+  uint32_t seed = 1;       // of the wandering
 
   // States the first rule that is broken.
   bool IsValid(std::string* error) const;

@@ -14,7 +14,9 @@
 #include "mission/mission_options.h"
 #include "mission/senses.h"
 #include "mission/target_track.h"
+#include "mission/target_views.h"
 #include "navigation/view_coverage.h"
+#include "sensor/geon_finding.h"
 #include "sensor/geon_verdict.h"
 #include "sensor/planner_state.h"
 #include "sensor/scan_set.h"
@@ -50,6 +52,7 @@ struct Counters {
   int back_offs = 0;
   int traps = 0;
   int bumps = 0;
+  int losses = 0;  // times the target's colour was lost close by
 };
 
 // What the phases share.
@@ -61,7 +64,12 @@ struct Context {
   Drive drive;
   MapDrive map_drive;
   TargetTrack target;
-  navigation::ViewCoverage coverage;  // what was looked at in vain; of the planner `map`
+  navigation::ViewCoverage coverage;           // what was looked at in vain; of the planner `map`
+  TargetViews views;                           // of the present target
+  std::optional<double> side_rad;              // of it, that is to be looked at next
+  std::optional<Eigen::Vector2d> scanned_W_m;  // where it stands, by the last scan
+  std::vector<sensor::GeonFinding> findings;
+  std::vector<Eigen::Vector3d> ignored_W_m;  // where targets stand that are done with
   Counters counters;
   int64_t next_scan_id = 1;
 

@@ -4,6 +4,7 @@
 
 #include "active_vision/order_stripes.h"
 #include "active_vision/surface_distance.h"
+#include "active_vision/target_middle.h"
 #include "attention/target_mask.h"
 #include "mission/scan_geometry.h"
 
@@ -15,6 +16,7 @@ constexpr double kResendPlan_s = 1.0;
 constexpr double kResendCommand_s = 0.3;
 constexpr double kResendEnd_s = 0.5;
 constexpr double kShift_1 = 0.06;              // of the target's size, when a stripe is re-placed
+constexpr double kHalfTarget_m = 0.08;         // from its foot to its middle, roughly
 constexpr double kDistanceTolerance_m = 0.30;  // of the measured against the supposed distance
 
 // One stripe beside, the next beside on the other side.
@@ -40,6 +42,7 @@ Transition ScanPhase::Step(Context* context) {
   SendPlan(context);
   for (const auto& verdict : context->verdicts) {
     if (verdict.scan_id != plan_.scan_id) continue;
+    context->scanned_W_m = PlaceOfTarget(*context);
     return Next{Phase::kDone, "", verdict};
   }
   for (const auto& profile : context->profiles) {
@@ -61,6 +64,17 @@ Transition ScanPhase::Step(Context* context) {
   }
   if (sweep_) return StepSweep(context);
   return all_laid() ? AwaitVerdict(context) : LayStripe(context);
+}
+
+std::optional<Eigen::Vector2d> ScanPhase::PlaceOfTarget(const Context& context) const {
+  const auto middle_L_m = active_vision::TargetMiddle(
+      measured_, Eigen::Vector2d(plan_.distance_m + kHalfTarget_m, 0.0));
+  if (!middle_L_m) return std::nullopt;
+  const geometry::RigidTransform X_WL =
+      context.view->X_WR *
+      geometry::LevelFrame(context.rig.StripeCameraPose(plan_.pan_rad, plan_.tilt_rad),
+                           plan_.support_height_m);
+  return geometry::OnGround(X_WL, *middle_L_m);
 }
 
 Transition ScanPhase::StepSweep(Context* context) {

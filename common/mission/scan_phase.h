@@ -42,6 +42,7 @@ class ScanPhase {
   Transition AwaitVerdict(Context* context);
   Transition ScanAgain(Context* context, const std::string& why);
   void SendPlan(Context* context);
+  std::optional<Eigen::Vector2d> PlaceOfTarget(const Context& context) const;
 
   bool begun_ = false;
   sensor::ScanPlan plan_;

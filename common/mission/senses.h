@@ -38,6 +38,10 @@ class Senses {
                      std::optional<attention::TargetSighting> seen = {});
   void TakeFloorImage(double now_s, sensor::Image image, std::optional<FloorSighting> seen = {});
 
+  // Which targets are meant from now on.
+  void SetFocus(Focus focus) { eyes_.SetFocus(std::move(focus)); }
+  const Focus& focus() const { return eyes_.focus(); }
+
   // Looks at the pictures whose poses have become known; the sightings below last until the next
   // call.
   void Look(double now_s);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angles.h"
+
 namespace geon::navigation {
 namespace {
 
@@ -34,6 +36,11 @@ std::vector<CostToGo::Goal> ViewingPositions(const OccupancyGrid& grid,
       const double distance_m = (place_W_m - target_W_m).norm();
       if (distance_m > options.distance_m || distance_m < options.distance_m - options.nearer_m ||
           !clearance.window().Contains({x, y})) {
+        continue;
+      }
+      const Eigen::Vector2d out_m = place_W_m - target_W_m;
+      if (options.side_rad && std::abs(WrapAngle(std::atan2(out_m.y(), out_m.x()) -
+                                                 *options.side_rad)) > options.side_tolerance_rad) {
         continue;
       }
       const bool hidden = IsHidden(grid, place_W_m, target_W_m, own_m);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "navigation/clearance_field.h"
@@ -12,6 +13,9 @@ struct ViewingOptions {
   double distance_m = 0.93;    // from the robot's axis to the target's foot, at most
   double nearer_m = 0.10;      // and at most this much nearer
   double hidden_cost_m = 0.6;  // driven farther for a place whose view is not cut by an obstacle
+  // Only from this side: bearing in W from the target to the robot, and how far beside it.
+  std::optional<double> side_rad;
+  double side_tolerance_rad = 0.30;
 };
 
 // Source: thesis section 4.3 for the distance; the set is ours.

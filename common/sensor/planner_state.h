@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sensor/geon_finding.h"
+
 namespace geon::sensor {
 
 enum class MissionOutcome {
@@ -13,7 +15,8 @@ enum class MissionOutcome {
   kNamed = 1,
   kFailed = 2,       // for another reason than the next
   kUnreachable = 3,  // no way leads to the geon
-  kNoneFound = 4,    // all that can be seen from where the robot can go was looked at
+  kNoneFound = 4,    // all that can be seen from where the robot can go was looked at, in vain
+  kSurveyed = 5,     // the same, and all geons that were found are done with
 };
 
 // What the mission does and why. Points and polygons are in W (odometry).
@@ -30,6 +33,7 @@ struct PlannerState {
   std::vector<Eigen::Vector2d> obstacles_W_m;
   int64_t scan_id = 0;
   int32_t stripe_index = 0;
+  std::vector<GeonFinding> findings;  // geons that are done with
 };
 
 }  // namespace geon::sensor

@@ -54,20 +54,46 @@ std::string OutcomeName(const MissionWatch& watch, bool ended) {
       return "unreachable";
     case sensor::MissionOutcome::kNoneFound:
       return "none_found";
+    case sensor::MissionOutcome::kSurveyed:
+      return "surveyed";
     default:
       return "failed";
   }
 }
 
+// Of one geon that the mission has finished with; places as in PLANNER_STATE.
+nlohmann::ordered_json FindingJson(const sensor::GeonFinding& finding) {
+  nlohmann::ordered_json posterior;
+  for (size_t k = 0; k < kGeonLabelCount; ++k) {
+    posterior[std::string(kGeonLabelNames[k])] = finding.posterior[k];
+  }
+  return {{"label", finding.label ? nlohmann::ordered_json(ToString(*finding.label))
+                                  : nlohmann::ordered_json()},
+          {"confidence", finding.confidence},
+          {"decided", finding.decided},
+          {"posterior", posterior},
+          {"place_m", {finding.p_W_m.x(), finding.p_W_m.y()}},
+          {"support_height_m", finding.support_height_m},
+          {"views", finding.views},
+          {"why", finding.why}};
+}
+
 void PrintJson(const MissionWatch& watch, const std::string& outcome) {
-  nlohmann::ordered_json whole = {
-      {"format", "geon.outcome.v1"}, {"outcome", outcome}, {"phase", nullptr}, {"text", nullptr},
-      {"target_m", nullptr},         {"verdict", nullptr}};
+  nlohmann::ordered_json whole = {{"format", "geon.outcome.v1"},
+                                  {"outcome", outcome},
+                                  {"phase", nullptr},
+                                  {"text", nullptr},
+                                  {"target_m", nullptr},
+                                  {"verdict", nullptr},
+                                  {"findings", nlohmann::ordered_json::array()}};
   if (watch.state()) {
     whole["phase"] = watch.state()->phase;
     whole["text"] = watch.state()->text;
     const auto& target = watch.state()->p_WTarget_m;
     if (target) whole["target_m"] = {target->x(), target->y()};
+    for (const sensor::GeonFinding& finding : watch.state()->findings) {
+      whole["findings"].push_back(FindingJson(finding));
+    }
   }
   if (watch.verdict()) {
     whole["verdict"] =

@@ -87,6 +87,7 @@ void ReadPatience(config::YamlSection section, mission::PatienceOptions* patienc
   section.Read("stripe_attempts", &patience->stripe_attempts);
   section.Read("min_stripes", &patience->min_stripes);
   section.Read("scans", &patience->scans);
+  section.ReadOptional("views", &patience->views);
   section.Read("back_offs", &patience->back_offs);
   section.Read("traps", &patience->traps);
   section.Read("bumps", &patience->bumps);
@@ -101,6 +102,7 @@ void ReadPlannerSection(config::YamlSection section, const std::filesystem::path
   ReadDriving(section.Child("driving"), &options->driving);
   ReadLooking(section.Child("looking"), &options->looking);
   ReadPatience(section.Child("patience"), &options->patience);
+  section.ReadOptional("inventory", &options->inventory);
   int seed = 1;
   section.Read("seed", &seed);
   section.Check(seed >= 0, "seed", "must not be negative");
