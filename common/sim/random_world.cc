@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/angles.h"
+#include "base/contracts.h"
 #include "sim/footprint.h"
 #include "sim/noise_source.h"
 
@@ -17,6 +18,13 @@ constexpr double kClearance_m = 0.15;       // a path keeps so far from everythi
 constexpr double kViewingNearest_m = 0.85;  // from the geon to where the robot stands to look at it
 constexpr double kViewingFarthest_m = 1.05;
 constexpr double kRingFree_m = 1.35;  // no other box so near to the geon
+
+constexpr double kSomeRingFree_m = 0.8;  // the same where there are several geons
+constexpr double kGeonsApart_m = 1.1;
+
+bool IsOnBox(GeonPlace place, NoiseSource* noise) {
+  return place == GeonPlace::kBox || (place == GeonPlace::kAny && noise->Chance(0.5));
+}
 
 double RoundTo(double value, double step) { return std::round(value / step) * step; }
 
@@ -70,24 +78,44 @@ double Clearance(const World& world, const std::vector<std::vector<Eigen::Vector
   return clearance_m;
 }
 
-// One attempt; nothing when the draw makes no good trial.
-std::optional<World> TryWorld(NoiseSource* noise, bool on_box) {
-  World world;
-  world.pen_size_m = {RoundTo(noise->Uniform(2.8, 3.4), 0.05),
-                      RoundTo(noise->Uniform(4.2, 4.8), 0.05)};
+// Where a geon is put, and on what: a desk of its own, or the floor.
+struct PlacedGeon {
   WorldObject geon;
+  std::optional<WorldObject> desk;
+  Eigen::Vector2d place_m() const { return {geon.x_m, geon.y_m}; }
+};
+
+PlacedGeon PlaceGeon(const World& world, bool on_box, NoiseSource* noise) {
+  PlacedGeon placed;
+  WorldObject& geon = placed.geon;
   geon.shape = RandomGeon(noise);
   geon.x_m = RoundTo(noise->Uniform(0.6, world.pen_size_m.x() - 0.6), 0.01);
   geon.y_m = RoundTo(noise->Uniform(0.6, world.pen_size_m.y() - 0.6), 0.01);
   geon.yaw_rad = RadiansFromDegrees(RoundTo(noise->Uniform(0.0, 360.0), 1.0));
   geon.color_rgb = {150, 40, 40};
-  const Eigen::Vector2d geon_m(geon.x_m, geon.y_m);
   if (on_box) {
     const double side_m = RoundTo(noise->Uniform(0.42, 0.52), 0.01);
-    WorldObject desk = RandomBox({side_m, side_m, kDeskHeight_m}, world, noise);
-    desk.x_m = geon.x_m;
-    desk.y_m = geon.y_m;
-    world.objects.push_back(desk);
+    placed.desk = RandomBox({side_m, side_m, kDeskHeight_m}, world, noise);
+    placed.desk->x_m = geon.x_m;
+    placed.desk->y_m = geon.y_m;
+  }
+  return placed;
+}
+
+// One attempt; nothing when the draw makes no good trial.
+std::optional<World> TryWorld(NoiseSource* noise, GeonPlace place, bool on_box, int geons) {
+  World world;
+  world.pen_size_m = {RoundTo(noise->Uniform(2.8, 3.4), 0.05),
+                      RoundTo(noise->Uniform(4.2, 4.8), 0.05)};
+  std::vector<PlacedGeon> placed;
+  for (int k = 0; k < geons; ++k) {
+    const bool on_its_box = k == 0 ? on_box : IsOnBox(place, noise);
+    PlacedGeon next = PlaceGeon(world, on_its_box, noise);
+    for (const PlacedGeon& other : placed) {
+      if ((next.place_m() - other.place_m()).norm() < kGeonsApart_m) return std::nullopt;
+    }
+    if (next.desk) world.objects.push_back(*next.desk);
+    placed.push_back(std::move(next));
   }
   const int boxes = static_cast<int>(noise->Bits() % 3);
   for (int k = 0; k < boxes; ++k) {
@@ -96,18 +124,23 @@ std::optional<World> TryWorld(NoiseSource* noise, bool on_box) {
         RandomBox({side(), side(), RoundTo(noise->Uniform(0.45, 0.7), 0.01)}, world, noise);
     const std::vector<Eigen::Vector2d> outline_m = BoxOutline(box);
     if (!InsidePen(world, outline_m)) return std::nullopt;
-    if (NearestPointOfConvex(outline_m, geon_m).distance_m < kRingFree_m) return std::nullopt;
+    for (const PlacedGeon& each : placed) {
+      const double free_m = geons == 1 ? kRingFree_m : kSomeRingFree_m;
+      if (NearestPointOfConvex(outline_m, each.place_m()).distance_m < free_m) return std::nullopt;
+    }
     world.objects.push_back(box);
   }
-  world.objects.push_back(geon);
+  for (const PlacedGeon& each : placed) world.objects.push_back(each.geon);
   world.robot_x_m = RoundTo(noise->Uniform(0.45, world.pen_size_m.x() - 0.45), 0.01);
   world.robot_y_m = RoundTo(noise->Uniform(0.45, world.pen_size_m.y() - 0.45), 0.01);
   world.robot_heading_rad = RadiansFromDegrees(RoundTo(noise->Uniform(0.0, 360.0), 1.0));
   world.lighting.lamp_W_m.head<2>() = 0.5 * world.pen_size_m;
-  if ((Eigen::Vector2d(world.robot_x_m, world.robot_y_m) - geon_m).norm() < 1.5)
-    return std::nullopt;
-  if (!CanReach(world, geon_m, kViewingNearest_m, kViewingFarthest_m, kClearance_m))
-    return std::nullopt;
+  const Eigen::Vector2d robot_m(world.robot_x_m, world.robot_y_m);
+  for (const PlacedGeon& each : placed) {
+    if ((robot_m - each.place_m()).norm() < (geons == 1 ? 1.5 : 1.0)) return std::nullopt;
+    if (!CanReach(world, each.place_m(), kViewingNearest_m, kViewingFarthest_m, kClearance_m))
+      return std::nullopt;
+  }
   return world;
 }
 
@@ -166,12 +199,17 @@ bool CanReach(const World& world, const Eigen::Vector2d& goal_m, double nearest_
   return false;
 }
 
-World RandomWorld(uint64_t seed, GeonPlace place) {
+World RandomWorld(uint64_t seed, GeonPlace place) { return RandomWorldOfSeveral(seed, place, 1); }
+
+World RandomWorldOfSeveral(uint64_t seed, GeonPlace place, int geons) {
+  Require(geons >= 1 && geons <= 4, "RandomWorldOfSeveral: 1 to 4 geons");
   NoiseSource noise(seed ^ 0x776f726c64ULL);
-  const bool on_box = place == GeonPlace::kBox || (place == GeonPlace::kAny && noise.Chance(0.5));
-  // About every third draw is a good trial.
+  const bool on_box = IsOnBox(place, &noise);
+  // About every third draw of one geon is a good trial, some in a hundred of several.
   while (true) {
-    if (std::optional<World> world = TryWorld(&noise, on_box)) return *std::move(world);
+    if (std::optional<World> world = TryWorld(&noise, place, on_box, geons)) {
+      return *std::move(world);
+    }
   }
 }
 

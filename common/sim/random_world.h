@@ -13,6 +13,10 @@ enum class GeonPlace { kFloor, kBox, kAny };
 // The same seed gives the same world.
 World RandomWorld(uint64_t seed, GeonPlace place);
 
+// The same with several geons (at most 4), at least 1.1 m from each other, each of which the robot
+// can drive to; two may be of one shape.
+World RandomWorldOfSeveral(uint64_t seed, GeonPlace place, int geons);
+
 // Whether a robot at the world's start can drive, `clearance_m` away from everything, to a place
 // from `nearest_m` to `farthest_m` away from (x, y).
 bool CanReach(const World& world, const Eigen::Vector2d& goal_m, double nearest_m,

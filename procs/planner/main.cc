@@ -15,8 +15,9 @@ int Serve(const geon::planner::PlannerConfig& config, bool exit_when_done,
   });
   daemon.loop->Run();
   using geon::sensor::MissionOutcome;
-  const bool failed =
-      node.outcome() != MissionOutcome::kRunning && node.outcome() != MissionOutcome::kNamed;
+  const bool failed = node.outcome() != MissionOutcome::kRunning &&
+                      node.outcome() != MissionOutcome::kNamed &&
+                      node.outcome() != MissionOutcome::kSurveyed;
   return exit_when_done && failed ? 1 : 0;
 }
 
@@ -28,15 +29,19 @@ int main(int argc, char** argv) {
       kProcess, "Runs the mission: finds a geon, drives up to it, has it scanned and named.",
       "geon-planner --seed 7 --exit-when-done");
   std::optional<uint32_t> seed;
-  bool exit_when_done = false;
+  bool inventory = false, exit_when_done = false;
   arguments.AddNumber("--seed", &seed, "of the wandering, instead of the file's planner.seed");
-  arguments.AddFlag("--exit-when-done", &exit_when_done,
-                    "end with the mission: 0 when the geon was named, 1 when not");
+  arguments.AddFlag("--inventory", &inventory,
+                    "name every geon in the pen, not just the first one (planner.inventory)");
+  arguments.AddFlag(
+      "--exit-when-done", &exit_when_done,
+      "end with the mission: 0 when the geon was named or all were looked for, 1 when not");
   if (const auto exit_code = arguments.Parse(argc, argv)) return *exit_code;
 
   auto config = geon::planner::LoadPlannerConfig(arguments);
   if (!config.ok()) return arguments.RefuseConfiguration(config.status());
   if (arguments.check_config) return arguments.AcceptConfiguration();
+  config->mission.inventory = config->mission.inventory || inventory;
   if (seed) config->mission.seed = *seed;
   return geon::messaging::RunDaemon(
       {{kProcess, geon::config::BuildVersion(), geon::config::FileHash(arguments.config_file)},
