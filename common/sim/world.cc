@@ -1,6 +1,7 @@
 #include "sim/world.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/contracts.h"
 #include "geometry/rigid_transform.h"
@@ -46,6 +47,17 @@ std::optional<GeonLabel> TrueLabel(const WorldObject& object) {
   if (const auto* shape = std::get_if<geons::GeonShape>(&object.shape)) return shape->label;
   if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) return mesh->truth;
   return std::nullopt;
+}
+
+const WorldObject* NearestTarget(const World& world, const Eigen::Vector2d& place_m) {
+  const auto distance_m = [&](const WorldObject& object) {
+    return IsTarget(object) ? (Eigen::Vector2d(object.x_m, object.y_m) - place_m).norm()
+                            : std::numeric_limits<double>::infinity();
+  };
+  const auto nearest =
+      std::min_element(world.objects.begin(), world.objects.end(),
+                       [&](const auto& a, const auto& b) { return distance_m(a) < distance_m(b); });
+  return nearest != world.objects.end() && IsTarget(*nearest) ? &*nearest : nullptr;
 }
 
 }  // namespace geon::sim

@@ -72,6 +72,9 @@ std::optional<GeonLabel> TrueLabel(const WorldObject& object);
 // Whether it is what the robot looks for: a geon, or a mesh.
 bool IsTarget(const WorldObject& object);
 
+// The target nearest to a place, from above; nullptr in a world without any.
+const WorldObject* NearestTarget(const World& world, const Eigen::Vector2d& place_m);
+
 // Corners of a box from above, counter-clockwise.
 std::vector<Eigen::Vector2d> BoxOutline(const WorldObject& box);
 

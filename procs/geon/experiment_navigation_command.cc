@@ -101,7 +101,7 @@ NavigationMap MapOf(int t, const sim::World& world, const lockstep::NavigationOu
       map.geon_m = place_m;
     }
   }
-  map.path_m = outcome.path_W_m;
+  map.path_m = outcome.track.path_W_m;
   return map;
 }
 
@@ -125,11 +125,11 @@ Status RunCases(const lockstep::LockstepSettings& settings, const NavigationArgu
     }
     trial.end = outcome->end;
     trial.why = outcome->why;
-    trial.first_sight_s = outcome->first_sight_s;
+    trial.first_sight_s = outcome->track.first_sight_s;
     trial.end_s = outcome->end_s;
-    trial.contacts = outcome->contacts;
-    trial.hardest_contact_m_s = outcome->hardest_contact_m_s;
-    trial.path_m = outcome->path_m;
+    trial.contacts = outcome->track.contacts;
+    trial.hardest_contact_m_s = outcome->track.hardest_contact_m_s;
+    trial.path_m = outcome->track.path_m;
     if (!trial.right() || trial.contacts > 0) record->Add(MapOf(trial.t, world, *outcome));
   });
   for (const NavigationCase& each : *cases) record->trials.push_back(each.trial);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -38,15 +38,12 @@ std::optional<Value> ValueOf(const std::array<std::pair<Value, std::string_view>
   return std::nullopt;
 }
 
-// The nearest geon, from above.
-std::optional<double> DistanceToGeon(const sim::World& world, const sim::RobotTruth& truth) {
-  std::optional<double> nearest_m;
-  for (const sim::WorldObject& object : world.objects) {
-    if (!sim::IsTarget(object)) continue;
-    const double distance_m = std::hypot(object.x_m - truth.x_m, object.y_m - truth.y_m);
-    nearest_m = std::min(nearest_m.value_or(distance_m), distance_m);
-  }
-  return nearest_m;
+// To the nearest geon, from above; without any, beyond everything.
+double DistanceToGeon(const sim::World& world, const sim::RobotTruth& truth) {
+  const Eigen::Vector2d place_m(truth.x_m, truth.y_m);
+  const sim::WorldObject* geon = sim::NearestTarget(world, place_m);
+  return geon == nullptr ? std::numeric_limits<double>::infinity()
+                         : (Eigen::Vector2d(geon->x_m, geon->y_m) - place_m).norm();
 }
 
 NavigationEnd EndOf(const mission::Mission& mission, bool in_position) {
@@ -98,38 +95,21 @@ Result<NavigationOutcome> RunNavigationTrial(const LockstepSettings& settings,
   auto created = LockstepRobot::Create(settings, std::nullopt, world, seed);
   if (!created.ok()) return created.status();
   LockstepRobot& robot = **created;
-  constexpr double kStride_s = 0.2;
-  NavigationOutcome outcome;
-  bool touched = false;
-  double speed_m_s = 0.0;
   // A scan begun at a wrong place, by a wrong belief of where the geon stands, shows the mission
   // its error: it goes on.
   const double near_m = settings.mission.looking.stop_distance_m + kInPosition_m;
   const auto in_position = [&] {
     return robot.mission().phase() == mission::Phase::kScan &&
-           DistanceToGeon(world, robot.truth()).value_or(near_m) < near_m;
+           DistanceToGeon(world, robot.truth()) < near_m;
   };
+  RunWatch watch;
   while (robot.mission().outcome() == sensor::MissionOutcome::kRunning && !in_position() &&
          robot.time_s() < longest_s) {
     robot.Turn();
-    const mission::Phase phase = robot.mission().phase();
-    if (!outcome.first_sight_s && phase != mission::Phase::kWait &&
-        phase != mission::Phase::kSearch &&
-        robot.mission().outcome() == sensor::MissionOutcome::kRunning) {
-      outcome.first_sight_s = robot.time_s();
-    }
-    const sim::RobotTruth truth = robot.truth();
-    if (truth.contacts > 0 && !touched) {
-      ++outcome.contacts;
-      outcome.hardest_contact_m_s = std::max(outcome.hardest_contact_m_s, std::abs(speed_m_s));
-    }
-    touched = truth.contacts > 0;
-    speed_m_s = truth.speed_m_s;
-    outcome.path_m += std::abs(speed_m_s) * LockstepRobot::kTurn_s;
-    if (robot.time_s() >= kStride_s * static_cast<double>(outcome.path_W_m.size())) {
-      outcome.path_W_m.emplace_back(truth.x_m, truth.y_m);
-    }
+    watch.See(robot);
   }
+  NavigationOutcome outcome;
+  outcome.track = watch.track();
   outcome.end = EndOf(robot.mission(), in_position());
   outcome.why = robot.mission().State().text;
   outcome.end_s = robot.time_s();

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "procs/lockstep/lockstep_settings.h"
+#include "procs/lockstep/run_watch.h"
 #include "sim/world.h"
 
 namespace geon::lockstep {
@@ -36,13 +35,9 @@ std::optional<NavigationEnd> NavigationEndFromString(std::string_view name);
 
 struct NavigationOutcome {
   NavigationEnd end = NavigationEnd::kTrapped;
-  std::string why;                      // in the mission's words
-  std::optional<double> first_sight_s;  // of the geon by the head's camera or the floor's
+  std::string why;  // in the mission's words
   double end_s = 0.0;
-  int contacts = 0;  // times the body came to touch something
-  double hardest_contact_m_s = 0.0;
-  double path_m = 0.0;                    // driven, first sight or not
-  std::vector<Eigen::Vector2d> path_W_m;  // of the pen, a place every 0.2 s
+  RunTrack track;
 };
 
 // One mission up to the place from which the geon would be scanned, or to its end: the mission and

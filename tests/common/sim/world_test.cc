@@ -40,5 +40,19 @@ TEST(WorldTest, OfTwoBoxesTheHigherCarries) {
   EXPECT_DOUBLE_EQ(FootHeight(world, geon), 0.0);
 }
 
+TEST(WorldTest, TheNearestTargetIsAGeonOrAMeshAndNeverABox) {
+  World world;
+  EXPECT_EQ(NearestTarget(world, {0.0, 0.0}), nullptr);
+  world.objects.resize(1);
+  world.objects[0].shape = BoxShape{};
+  EXPECT_EQ(NearestTarget(world, {0.0, 0.0}), nullptr);
+  world.objects.resize(3);  // the box, a geon and a mesh
+  world.objects[1].x_m = -1.0;
+  world.objects[2].shape = MeshShape{};
+  world.objects[2].x_m = 1.0;
+  EXPECT_EQ(NearestTarget(world, {-0.1, 0.5}), &world.objects[1]);
+  EXPECT_EQ(NearestTarget(world, {0.1, 0.5}), &world.objects[2]);
+}
+
 }  // namespace
 }  // namespace geon::sim

@@ -32,10 +32,10 @@ TEST_F(NavigationTrialTest, ByTheMapEveryKindOfPenEndsAsItShould) {
     SCOPED_TRACE(sim::ToString(kind));
     const NavigationOutcome outcome = Run(settings, kind, 11);
     EXPECT_EQ(outcome.end, NavigationEnd::kReached) << outcome.why;
-    EXPECT_EQ(outcome.contacts, 0);
-    ASSERT_TRUE(outcome.first_sight_s.has_value());
-    EXPECT_LT(*outcome.first_sight_s, outcome.end_s);
-    EXPECT_GT(outcome.path_m, 0.3);
+    EXPECT_EQ(outcome.track.contacts, 0);
+    ASSERT_TRUE(outcome.track.first_sight_s.has_value());
+    EXPECT_LT(*outcome.track.first_sight_s, outcome.end_s);
+    EXPECT_GT(outcome.track.path_m, 0.3);
   }
   const NavigationOutcome closed = Run(settings, PenKind::kUnreachable, 11);
   EXPECT_EQ(closed.end, NavigationEnd::kUnreachable) << closed.why;
@@ -62,7 +62,7 @@ TEST_F(NavigationTrialTest, TheSameSeedGivesTheSamePath) {
   const LockstepSettings settings = Settings(SensorQuality::kReal, mission::PlannerKind::kMap);
   const NavigationOutcome once = Run(settings, sim::PenKind::kGap, 8);
   const NavigationOutcome again = Run(settings, sim::PenKind::kGap, 8);
-  EXPECT_EQ(once.path_W_m, again.path_W_m);
+  EXPECT_EQ(once.track.path_W_m, again.track.path_W_m);
   EXPECT_EQ(once.end_s, again.end_s);
 }
 
