@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sensor/geon_finding.h"
@@ -18,6 +20,17 @@ enum class MissionOutcome {
   kNoneFound = 4,    // all that can be seen from where the robot can go was looked at, in vain
   kSurveyed = 5,     // the same, and all geons that were found are done with
 };
+inline constexpr std::array<std::string_view, 6> kMissionOutcomeNames = {
+    "running", "named", "failed", "unreachable", "none_found", "surveyed"};
+inline std::string_view ToString(MissionOutcome outcome) {
+  return kMissionOutcomeNames.at(static_cast<size_t>(outcome));
+}
+inline std::optional<MissionOutcome> MissionOutcomeFromString(std::string_view name) {
+  for (size_t k = 0; k < kMissionOutcomeNames.size(); ++k) {
+    if (kMissionOutcomeNames[k] == name) return static_cast<MissionOutcome>(k);
+  }
+  return std::nullopt;
+}
 
 // What the mission does and why. Points and polygons are in W (odometry).
 struct PlannerState {

@@ -47,18 +47,7 @@ class ProgressLine {
 std::string OutcomeName(const MissionWatch& watch, bool ended) {
   if (!watch.state()) return "silent";
   if (!ended) return "timeout";
-  switch (watch.state()->outcome) {
-    case sensor::MissionOutcome::kNamed:
-      return "named";
-    case sensor::MissionOutcome::kUnreachable:
-      return "unreachable";
-    case sensor::MissionOutcome::kNoneFound:
-      return "none_found";
-    case sensor::MissionOutcome::kSurveyed:
-      return "surveyed";
-    default:
-      return "failed";
-  }
+  return std::string(ToString(watch.state()->outcome));
 }
 
 // Of one geon that the mission has finished with; places as in PLANNER_STATE.

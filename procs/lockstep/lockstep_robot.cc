@@ -190,6 +190,7 @@ void LockstepRobot::Deliver(const sim::Exposure& exposure) {
 void LockstepRobot::TakeHeadImage(sensor::Image image) {
   const auto asked_s = exposure_ ? exposure_->Judge(image) : std::nullopt;
   if (asked_s) simulated_->SetExposure(sim::CameraId::kHeadColor, *asked_s);
+  head_image_ = image;
   mission_->senses()->TakeHeadImage(time_s_, std::move(image));
 }
 

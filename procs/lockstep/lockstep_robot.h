@@ -47,6 +47,8 @@ class LockstepRobot {
   sensor::ScanSet scan() const { return assembler_.CurrentScan(); }
   // The picture on which the last decision was taken; nothing before the first.
   const std::optional<mission::Decision>& decision() const { return decision_; }
+  // The newest picture of the head's colour camera that was rendered; empty before the first.
+  const sensor::Image& head_image() const { return head_image_; }
   // How things really are: for judging a run, never for running it.
   sim::RobotTruth truth() const { return simulated_->truth(); }
 
@@ -91,6 +93,7 @@ class LockstepRobot {
   std::unique_ptr<mission::Mission> mission_;
   int32_t command_seq_ = 0;
   std::optional<mission::Decision> decision_;
+  sensor::Image head_image_;
   std::deque<sim::Exposure> exposed_;  // not yet delivered
 };
 
