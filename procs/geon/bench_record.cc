@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "procs/geon/experiment_json.h"
 #include "procs/geon/experiment_rates.h"
 #include "procs/geon/join_shards.h"
 
@@ -12,15 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kBenchFormat = "geon.experiment.v1";
-
-json OptionalJson(const std::optional<double>& value) { return value ? json(*value) : json(); }
-
-std::optional<double> ParseOptional(const json& value) {
-  if (value.is_null()) return std::nullopt;
-  return value.get<double>();
-}
-
 json BenchTrialJson(const BenchTrialRecord& trial) {
   return {{"t", trial.t},
           {"truth", ToString(trial.subject.truth)},
@@ -28,7 +20,7 @@ json BenchTrialJson(const BenchTrialRecord& trial) {
           {"position", trial.subject.position},
           {"range_m", trial.range_m},
           {"yaw_deg", trial.yaw_deg},
-          {"answer", trial.answer ? json(ToString(*trial.answer)) : json()},
+          {"answer", LabelJson(trial.answer)},
           {"confidence", trial.confidence},
           {"decided", trial.decided},
           {"end", trial.end},
@@ -37,17 +29,13 @@ json BenchTrialJson(const BenchTrialRecord& trial) {
           {"misplaced", trial.misplaced_1}};
 }
 
-GeonLabel ParseLabel(const json& value) {
-  return GeonLabelFromString(value.get<std::string>()).value();
-}
-
 BenchTrialRecord ParseBenchTrial(const json& value) {
   BenchTrialRecord trial;
   trial.t = value.at("t");
   trial.subject = {ParseLabel(value.at("truth")), value.at("object"), value.at("position")};
   trial.range_m = value.at("range_m");
   trial.yaw_deg = value.at("yaw_deg");
-  if (!value.at("answer").is_null()) trial.answer = ParseLabel(value.at("answer"));
+  trial.answer = ParseOptionalLabel(value.at("answer"));
   trial.confidence = value.at("confidence");
   trial.decided = value.at("decided");
   trial.end = value.at("end");
@@ -57,36 +45,12 @@ BenchTrialRecord ParseBenchTrial(const json& value) {
   return trial;
 }
 
-// A row for each object in each position at each range.
 json BenchCells(const BenchRecord& record) {
-  json cells = json::array();
+  std::vector<Answer> answers;
   for (const BenchTrialRecord& trial : record.trials) {
-    const auto same = [&](const json& cell) {
-      return cell["truth"] == ToString(trial.subject.truth) &&
-             cell["object"] == trial.subject.object && cell["position"] == trial.subject.position &&
-             cell["range_m"] == trial.range_m;
-    };
-    auto cell = std::find_if(cells.begin(), cells.end(), same);
-    if (cell == cells.end()) {
-      json counts;
-      for (const auto name : kGeonLabelNames) counts[std::string(name)] = 0;
-      cells.push_back({{"truth", ToString(trial.subject.truth)},
-                       {"object", trial.subject.object},
-                       {"position", trial.subject.position},
-                       {"range_m", trial.range_m},
-                       {"n", 0},
-                       {"counts", counts},
-                       {"undecided", 0}});
-      cell = cells.end() - 1;
-    }
-    (*cell)["n"] = (*cell)["n"].get<int>() + 1;
-    if (trial.answer) {
-      json& count = (*cell)["counts"][std::string(ToString(*trial.answer))];
-      count = count.get<int>() + 1;
-    }
-    if (!trial.decided) (*cell)["undecided"] = (*cell)["undecided"].get<int>() + 1;
+    answers.push_back({trial.subject, trial.range_m, trial.answer, trial.decided});
   }
-  return cells;
+  return AnswerCells(answers);
 }
 
 std::vector<double> TimesOf(const BenchRecord& record,
@@ -96,12 +60,6 @@ std::vector<double> TimesOf(const BenchRecord& record,
     if (trial.answer && trial.*time_s) times_s.push_back(*(trial.*time_s));
   }
   return times_s;
-}
-
-json SpreadJson(std::vector<double> values) {
-  const auto spread = SpreadOf(std::move(values));
-  if (!spread) return nullptr;
-  return {{"p50", spread->p50}, {"p95", spread->p95}, {"max", spread->max}};
 }
 
 json BenchRates(const BenchRecord& record) {
@@ -128,15 +86,6 @@ json BenchRates(const BenchRecord& record) {
 }
 
 }  // namespace
-
-std::optional<Spread> SpreadOf(std::vector<double> values) {
-  if (values.empty()) return std::nullopt;
-  std::sort(values.begin(), values.end());
-  const auto at = [&](double share_1) {
-    return values[static_cast<size_t>(std::ceil(share_1 * static_cast<double>(values.size()))) - 1];
-  };
-  return Spread{at(0.5), at(0.95), values.back()};
-}
 
 std::vector<double> SightTimes(const BenchRecord& record) {
   return TimesOf(record, &BenchTrialRecord::from_sight_s);
@@ -186,7 +135,7 @@ std::string BenchRecordText(const BenchRecord& record) {
   json trials = json::array(), worst = json::array();
   for (const BenchTrialRecord& trial : record.trials) trials.push_back(BenchTrialJson(trial));
   for (const WorstView& view : record.worst) worst.push_back(ToJson(view));
-  return json{{"format", kBenchFormat},
+  return json{{"format", kExperimentFormat},
               {"experiment", kBenchExperiment},
               {"method", record.method},
               {"seed", record.seed},
@@ -203,7 +152,7 @@ std::string BenchRecordText(const BenchRecord& record) {
 
 Result<BenchRecord> ParseBenchRecord(const json& value, const std::string& name) {
   try {
-    if (value.at("format") != kBenchFormat || value.at("experiment") != kBenchExperiment) {
+    if (value.at("format") != kExperimentFormat || value.at("experiment") != kBenchExperiment) {
       return Status::Error(name + ": not the results of geon experiment bench");
     }
     BenchRecord record;

@@ -7,6 +7,7 @@
 
 #include "base/status.h"
 #include "evaluation/confusion.h"
+#include "procs/geon/spread.h"
 #include "procs/geon/worst_views.h"
 
 namespace geon::cli {
@@ -61,11 +62,6 @@ struct BenchRange {
 };
 std::vector<BenchRange> BenchRanges(const BenchRecord& record);
 
-// Median, 95 % point and largest of some numbers; nothing of none.
-struct Spread {
-  double p50 = 0.0, p95 = 0.0, max = 0.0;
-};
-std::optional<Spread> SpreadOf(std::vector<double> values);
 // Virtual seconds of the runs that gave an answer: from the first sight, from the whole target in
 // view.
 std::vector<double> SightTimes(const BenchRecord& record);

@@ -1,16 +1,13 @@
 #include "procs/geon/experiment_bench.h"
 
 #include <mutex>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "base/angles.h"
 #include "evaluation/thesis_objects.h"
 #include "evaluation/trial_random.h"
 #include "procs/geon/experiment_objects.h"
 #include "procs/geon/parallel_for.h"
-#include "procs/geon/svg.h"
+#include "procs/geon/picture_uri.h"
 
 namespace geon::cli {
 namespace {
@@ -37,26 +34,6 @@ std::vector<BenchCase> Cases(const std::vector<BenchObject>& objects, const Benc
     }
   }
   return cases;
-}
-
-// What the camera saw, the target outlined.
-std::string PictureUri(const lockstep::BenchOutcome& outcome) {
-  if (outcome.view.data.empty()) return "";
-  constexpr int kQuality = 75;
-  const cv::Mat seen(outcome.view.height_px, outcome.view.width_px, CV_8UC3,
-                     const_cast<uint8_t*>(outcome.view.data.data()),
-                     static_cast<size_t>(outcome.view.row_stride_bytes));
-  cv::Mat picture = seen.clone();
-  if (!outcome.mask.empty()) {
-    const cv::Mat mask(picture.rows, picture.cols, CV_8UC1,
-                       const_cast<uint8_t*>(outcome.mask.data()));
-    std::vector<std::vector<cv::Point>> outlines;
-    cv::findContours(mask, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
-    cv::drawContours(picture, outlines, -1, cv::Scalar(255, 255, 255), 1);
-  }
-  std::vector<uint8_t> jpeg;
-  cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, kQuality});
-  return DataUri("image/jpeg", jpeg);
 }
 
 std::optional<double> Since(const std::optional<double>& begin_s, double end_s) {
@@ -162,7 +139,7 @@ Result<BenchRun> RunBench(const lockstep::LockstepSettings& settings,
     WorstView view = ViewOf(trial, *outcome);
     if (!IsAmongWorst(view, run.worst)) return;
     view.stripes = DrawStripes(outcome->scan);
-    view.picture_uri = PictureUri(*outcome);
+    view.picture_uri = PictureUri(outcome->view, outcome->mask);
     AddWorstView(std::move(view), &run.worst);
   });
   if (!failed.ok()) return failed;

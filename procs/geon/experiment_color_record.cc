@@ -9,6 +9,7 @@
 
 #include "base/median.h"
 #include "base/plain_name.h"
+#include "procs/geon/experiment_json.h"
 #include "procs/geon/experiment_rates.h"
 #include "procs/geon/join_shards.h"
 #include "procs/geon/svg.h"
@@ -18,7 +19,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kFormat = "geon.experiment.v1";
 constexpr size_t kMostWorstPictures = 12;
 
 auto Badness(const WorstPicture& picture) {
@@ -107,7 +107,7 @@ json TrialJson(const ColorOutcome& outcome) {
 ColorOutcome ParseTrial(const json& value, size_t methods) {
   ColorOutcome outcome;
   outcome.t = value.at("t");
-  outcome.label = GeonLabelFromString(value.at("truth").get<std::string>()).value();
+  outcome.label = ParseLabel(value.at("truth"));
   outcome.kelvin = value.at("kelvin");
   outcome.stops = value.at("stops");
   outcome.light = value.at("light");
@@ -184,7 +184,7 @@ std::string ColorRecordText(const ColorRecord& record) {
   for (const WorstPicture& picture : record.worst) {
     worst.push_back({{"t", picture.t}, {"picture", picture.data_uri}});
   }
-  return json{{"format", kFormat},
+  return json{{"format", kExperimentFormat},
               {"experiment", kColorExperiment},
               {"method", record.methods.front()},
               {"methods", record.methods},
@@ -203,7 +203,7 @@ std::string ColorRecordText(const ColorRecord& record) {
 
 Result<ColorRecord> ParseColorRecord(const json& value, const std::string& name) {
   try {
-    if (value.at("format") != kFormat || value.at("experiment") != kColorExperiment) {
+    if (value.at("format") != kExperimentFormat || value.at("experiment") != kColorExperiment) {
       return Status::Error(name + ": not the results of geon experiment color");
     }
     ColorRecord record;

@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <iostream>
 #include <memory>
 #include <mutex>
-#include <numbers>
 
 #include "config/daemon_arguments.h"
 #include "config/text_file.h"
@@ -80,31 +78,6 @@ Result<std::vector<NavigationCase>> WorldCases(const NavigationArguments& argume
   return cases;
 }
 
-NavigationMap MapOf(int t, const sim::World& world, const lockstep::NavigationOutcome& outcome) {
-  NavigationMap map;
-  map.t = t;
-  map.pen_m = world.pen_size_m;
-  for (const sim::WorldObject& object : world.objects) {
-    const Eigen::Vector2d place_m(object.x_m, object.y_m);
-    if (std::holds_alternative<sim::BoxShape>(object.shape)) {
-      map.outlines_m.push_back(sim::BoxOutline(object));
-    } else if (const auto* cylinder = std::get_if<sim::CylinderShape>(&object.shape)) {
-      constexpr int kCorners = 16;
-      std::vector<Eigen::Vector2d> outline_m;
-      for (int k = 0; k < kCorners; ++k) {
-        const double angle_rad = 2.0 * std::numbers::pi * k / kCorners;
-        outline_m.push_back(place_m + cylinder->radius_m * Eigen::Vector2d(std::cos(angle_rad),
-                                                                           std::sin(angle_rad)));
-      }
-      map.outlines_m.push_back(std::move(outline_m));
-    } else if (sim::IsTarget(object)) {
-      map.geon_m = place_m;
-    }
-  }
-  map.path_m = outcome.track.path_W_m;
-  return map;
-}
-
 Status RunCases(const lockstep::LockstepSettings& settings, const NavigationArguments& arguments,
                 std::vector<NavigationCase>* cases, NavigationRecord* record) {
   Progress progress("geon experiment navigation");
@@ -125,12 +98,15 @@ Status RunCases(const lockstep::LockstepSettings& settings, const NavigationArgu
     }
     trial.end = outcome->end;
     trial.why = outcome->why;
-    trial.first_sight_s = outcome->track.first_sight_s;
     trial.end_s = outcome->end_s;
-    trial.contacts = outcome->track.contacts;
-    trial.hardest_contact_m_s = outcome->track.hardest_contact_m_s;
-    trial.path_m = outcome->track.path_m;
-    if (!trial.right() || trial.contacts > 0) record->Add(MapOf(trial.t, world, *outcome));
+    const lockstep::RunTrack& track = outcome->track;
+    trial.first_sight_s = track.first_sight_s;
+    trial.contacts = track.contacts;
+    trial.hardest_contact_m_s = track.hardest_contact_m_s;
+    trial.path_m = track.path_m;
+    if (!trial.right() || trial.contacts > 0) {
+      AddDrawnRun(DrawRun(trial.t, world, track.path_W_m), &record->maps);
+    }
   });
   for (const NavigationCase& each : *cases) record->trials.push_back(each.trial);
   return failed;

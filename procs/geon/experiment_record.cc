@@ -5,6 +5,7 @@
 
 #include "base/angles.h"
 #include "evaluation/shape_tables.h"
+#include "procs/geon/experiment_json.h"
 #include "procs/geon/experiment_rates.h"
 #include "procs/geon/join_shards.h"
 
@@ -15,22 +16,6 @@ using evaluation::ConfusionRow;
 using evaluation::ShapeTrial;
 using evaluation::Subject;
 using nlohmann::json;
-
-constexpr const char* kFormat = "geon.experiment.v1";
-
-json CellJson(const ConfusionRow& row, const json& range_m) {
-  json counts;
-  for (size_t k = 0; k < row.counts.size(); ++k) {
-    counts[std::string(kGeonLabelNames[k])] = row.counts[k];
-  }
-  return {{"truth", ToString(row.subject.truth)},
-          {"object", row.subject.object},
-          {"position", row.subject.position},
-          {"range_m", range_m},
-          {"n", row.n()},
-          {"counts", counts},
-          {"undecided", row.undecided}};
-}
 
 json TrialJson(const ShapeTrial& trial, const Subject& subject) {
   return {{"t", trial.t},
@@ -51,7 +36,7 @@ ShapeTrial ParseTrial(const json& value) {
   trial.subject = value.at("subject");
   trial.cell.elevation_rad = RadiansFromDegrees(value.at("elevation_deg").get<int>());
   trial.cell.azimuth_rad = RadiansFromDegrees(value.at("azimuth_deg").get<int>());
-  trial.answer = GeonLabelFromString(value.at("answer").get<std::string>()).value();
+  trial.answer = ParseLabel(value.at("answer"));
   trial.confidence = value.at("confidence");
   trial.decided = value.at("decided");
   if (!(trial.confidence >= 0.0 && trial.confidence <= 1.0)) {
@@ -88,7 +73,7 @@ std::string RecordText(const ShapeRecord& record) {
   for (const WorstView& view : record.worst) worst.push_back(ToJson(view));
   const json& range_m = record.conditions.at("range_m");
   for (const ConfusionRow& row : evaluation::CountAnswers(record.subjects, record.trials)) {
-    cells.push_back(CellJson(row, range_m));
+    cells.push_back(CellJson(row, row.n(), range_m));
   }
   for (const Subject& subject : record.subjects) {
     subjects.push_back({{"truth", ToString(subject.truth)},
@@ -98,7 +83,7 @@ std::string RecordText(const ShapeRecord& record) {
   for (const ShapeTrial& trial : record.trials) {
     trials.push_back(TrialJson(trial, record.subjects[static_cast<size_t>(trial.subject)]));
   }
-  return json{{"format", kFormat},
+  return json{{"format", kExperimentFormat},
               {"experiment", "shapes"},
               {"method", record.method},
               {"seed", record.seed},
@@ -116,7 +101,7 @@ std::string RecordText(const ShapeRecord& record) {
 
 Result<ShapeRecord> ParseRecord(const json& value, const std::string& name) {
   try {
-    if (value.at("format") != kFormat || value.at("experiment") != "shapes") {
+    if (value.at("format") != kExperimentFormat || value.at("experiment") != "shapes") {
       return Status::Error(name + ": not the results of geon experiment shapes");
     }
     ShapeRecord record;
@@ -126,8 +111,7 @@ Result<ShapeRecord> ParseRecord(const json& value, const std::string& name) {
     record.conditions = value.at("conditions");
     for (const json& subject : value.at("subjects")) {
       record.subjects.push_back(
-          {GeonLabelFromString(subject.at("truth").get<std::string>()).value(),
-           subject.at("object"), subject.at("position")});
+          {ParseLabel(subject.at("truth")), subject.at("object"), subject.at("position")});
     }
     for (const json& trial : value.at("trials")) {
       record.trials.push_back(ParseTrial(trial));

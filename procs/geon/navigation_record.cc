@@ -3,32 +3,15 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "procs/geon/bench_record.h"
+#include "procs/geon/experiment_json.h"
 #include "procs/geon/join_shards.h"
+#include "procs/geon/spread.h"
 
 namespace geon::cli {
 namespace {
 
 using lockstep::NavigationEnd;
 using nlohmann::json;
-
-constexpr const char* kNavigationFormat = "geon.experiment.v1";
-
-json PointJson(const Eigen::Vector2d& p_m) { return {p_m.x(), p_m.y()}; }
-Eigen::Vector2d ParsePoint(const json& value) {
-  return {value.at(0).get<double>(), value.at(1).get<double>()};
-}
-
-json PointsJson(const std::vector<Eigen::Vector2d>& points_m) {
-  json value = json::array();
-  for (const Eigen::Vector2d& p_m : points_m) value.push_back(PointJson(p_m));
-  return value;
-}
-std::vector<Eigen::Vector2d> ParsePoints(const json& value) {
-  std::vector<Eigen::Vector2d> points_m;
-  for (const json& each : value) points_m.push_back(ParsePoint(each));
-  return points_m;
-}
 
 json ToJson(const NavigationTrialRecord& trial) {
   return {{"t", trial.t},
@@ -37,7 +20,7 @@ json ToJson(const NavigationTrialRecord& trial) {
           {"expected", ToString(trial.expected)},
           {"end", ToString(trial.end)},
           {"why", trial.why},
-          {"first_sight_s", trial.first_sight_s ? json(*trial.first_sight_s) : json()},
+          {"first_sight_s", OptionalJson(trial.first_sight_s)},
           {"end_s", trial.end_s},
           {"contacts", trial.contacts},
           {"hardest_contact_m_s", trial.hardest_contact_m_s},
@@ -53,7 +36,7 @@ NavigationTrialRecord ParseNavigationTrial(const json& value) {
       lockstep::NavigationEndFromString(value.at("expected").get<std::string>()).value();
   trial.end = lockstep::NavigationEndFromString(value.at("end").get<std::string>()).value();
   trial.why = value.at("why");
-  if (!value.at("first_sight_s").is_null()) trial.first_sight_s = value.at("first_sight_s");
+  trial.first_sight_s = ParseOptional(value.at("first_sight_s"));
   trial.end_s = value.at("end_s");
   trial.contacts = value.at("contacts");
   trial.hardest_contact_m_s = value.at("hardest_contact_m_s");
@@ -61,28 +44,7 @@ NavigationTrialRecord ParseNavigationTrial(const json& value) {
   return trial;
 }
 
-json ToJson(const NavigationMap& map) {
-  json outlines = json::array();
-  for (const auto& outline_m : map.outlines_m) outlines.push_back(PointsJson(outline_m));
-  return {{"t", map.t},
-          {"pen_m", PointJson(map.pen_m)},
-          {"outlines_m", outlines},
-          {"geon_m", map.geon_m ? PointJson(*map.geon_m) : json()},
-          {"path_m", PointsJson(map.path_m)}};
-}
-
-NavigationMap ParseMap(const json& value) {
-  NavigationMap map;
-  map.t = value.at("t");
-  map.pen_m = ParsePoint(value.at("pen_m"));
-  for (const json& outline : value.at("outlines_m")) map.outlines_m.push_back(ParsePoints(outline));
-  if (!value.at("geon_m").is_null()) map.geon_m = ParsePoint(value.at("geon_m"));
-  map.path_m = ParsePoints(value.at("path_m"));
-  return map;
-}
-
 json RatesOf(const NavigationSummary& summary) {
-  const auto spread = SpreadOf(summary.times_s);
   return {{"runs", summary.runs},
           {"right", summary.right},
           {"reached", summary.reached},
@@ -91,8 +53,7 @@ json RatesOf(const NavigationSummary& summary) {
           {"trapped", summary.trapped},
           {"unreachable", summary.unreachable},
           {"none_found", summary.none_found},
-          {"time_s", spread ? json{{"p50", spread->p50}, {"p95", spread->p95}, {"max", spread->max}}
-                            : json()}};
+          {"time_s", SpreadJson(summary.times_s)}};
 }
 
 json RatesJson(const NavigationRecord& record) {
@@ -120,13 +81,6 @@ std::string Row(const std::string& name, const NavigationSummary& summary) {
 }
 
 }  // namespace
-
-void NavigationRecord::Add(NavigationMap map) {
-  const auto after = std::upper_bound(maps.begin(), maps.end(), map.t,
-                                      [](int t, const NavigationMap& each) { return t < each.t; });
-  maps.insert(after, std::move(map));
-  if (maps.size() > kMostNavigationMaps) maps.pop_back();
-}
 
 std::vector<std::string> WorldsOf(const NavigationRecord& record) {
   std::vector<std::string> worlds;
@@ -160,8 +114,8 @@ NavigationSummary Summarize(const NavigationRecord& record, const std::string& w
 std::string NavigationRecordText(const NavigationRecord& record) {
   json trials = json::array(), maps = json::array();
   for (const NavigationTrialRecord& trial : record.trials) trials.push_back(ToJson(trial));
-  for (const NavigationMap& map : record.maps) maps.push_back(ToJson(map));
-  return json{{"format", kNavigationFormat},
+  for (const DrawnRun& run : record.maps) maps.push_back(ToJson(run));
+  return json{{"format", kExperimentFormat},
               {"experiment", kNavigationExperiment},
               {"method", record.planner},
               {"seed", record.seed},
@@ -177,7 +131,7 @@ std::string NavigationRecordText(const NavigationRecord& record) {
 
 Result<NavigationRecord> ParseNavigationRecord(const json& value, const std::string& name) {
   try {
-    if (value.at("format") != kNavigationFormat ||
+    if (value.at("format") != kExperimentFormat ||
         value.at("experiment") != kNavigationExperiment) {
       return Status::Error(name + ": not the results of geon experiment navigation");
     }
@@ -188,7 +142,7 @@ Result<NavigationRecord> ParseNavigationRecord(const json& value, const std::str
     record.conditions = value.at("conditions");
     for (const json& trial : value.at("trials"))
       record.trials.push_back(ParseNavigationTrial(trial));
-    for (const json& map : value.at("maps")) record.Add(ParseMap(map));
+    for (const json& run : value.at("maps")) AddDrawnRun(ParseDrawnRun(run), &record.maps);
     return record;
   } catch (const std::exception& error) {
     return Status::Error(name + ": damaged results: " + error.what());
@@ -203,7 +157,7 @@ Result<NavigationRecord> MergeNavigationRecords(const std::vector<NavigationReco
                a.conditions == b.conditions;
       },
       [](const NavigationRecord& shard, NavigationRecord* all) {
-        for (const NavigationMap& map : shard.maps) all->Add(map);
+        for (const DrawnRun& run : shard.maps) AddDrawnRun(run, &all->maps);
       });
 }
 

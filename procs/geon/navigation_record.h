@@ -1,12 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/status.h"
+#include "procs/geon/drawn_run.h"
 #include "procs/lockstep/navigation_trial.h"
 
 namespace geon::cli {
@@ -28,16 +28,6 @@ struct NavigationTrialRecord {
   bool right() const { return end == expected; }
 };
 
-// A run that went wrong, to be drawn.
-struct NavigationMap {
-  int t = 0;
-  Eigen::Vector2d pen_m = Eigen::Vector2d::Zero();
-  std::vector<std::vector<Eigen::Vector2d>> outlines_m;  // of what stands there
-  std::optional<Eigen::Vector2d> geon_m;
-  std::vector<Eigen::Vector2d> path_m;
-};
-inline constexpr size_t kMostNavigationMaps = 24;
-
 // Everything the experiment found.
 struct NavigationRecord {
   std::string planner;
@@ -45,9 +35,7 @@ struct NavigationRecord {
   std::string git;
   nlohmann::json conditions;                  // what was asked for; equal in all shards
   std::vector<NavigationTrialRecord> trials;  // by rising t
-  std::vector<NavigationMap> maps;            // the first wrong ones, by rising t
-
-  void Add(NavigationMap map);  // keeps the first kMostNavigationMaps
+  std::vector<DrawnRun> maps;                 // the first wrong ones, by rising t
 };
 
 inline constexpr const char* kNavigationExperiment = "navigation";

@@ -105,14 +105,5 @@ TEST(BenchRecordTest, DamagedResultsAreRefusedWithTheirName) {
   EXPECT_THAT(ParseBenchRecord(json, "here.json").message(), HasSubstr("77"));
 }
 
-TEST(SpreadTest, MedianAndTailOfAFewNumbers) {
-  const auto spread = SpreadOf({3.0, 1.0, 2.0});
-  ASSERT_TRUE(spread.has_value());
-  EXPECT_EQ(spread->p50, 2.0);
-  EXPECT_EQ(spread->p95, 3.0);
-  EXPECT_EQ(spread->max, 3.0);
-  EXPECT_FALSE(SpreadOf({}).has_value());
-}
-
 }  // namespace
 }  // namespace geon::cli

@@ -23,13 +23,10 @@ NavigationTrialRecord Trial(int t, const std::string& world, NavigationEnd end) 
   return trial;
 }
 
-NavigationMap Map(int t) {
-  NavigationMap map;
+DrawnRun Map(int t) {
+  DrawnRun map;
   map.t = t;
   map.pen_m = {3.0, 4.5};
-  map.outlines_m = {{{1.0, 1.0}, {1.5, 1.0}, {1.5, 1.5}}};
-  map.geon_m = Eigen::Vector2d(2.0, 4.0);
-  map.path_m = {{0.5, 0.5}, {0.6, 0.9}};
   return map;
 }
 
@@ -48,7 +45,7 @@ NavigationRecord Mixed() {
                                     Trial(2, "boxes", NavigationEnd::kReached)});
   record.trials[1].contacts = 2;
   record.trials[1].hardest_contact_m_s = 0.25;
-  record.Add(Map(1));
+  AddDrawnRun(Map(1), &record.maps);
   return record;
 }
 
@@ -90,14 +87,6 @@ TEST(NavigationRecordTest, ShardsJoinToTheBytesOfTheWhole) {
   EXPECT_EQ(NavigationRecordText(*joined), NavigationRecordText(whole));
   even.planner = "thesis";
   EXPECT_FALSE(MergeNavigationRecords({odd, even}).ok());
-}
-
-TEST(NavigationRecordTest, OnlyTheFirstMapsAreKeptWhateverTheOrder) {
-  NavigationRecord record;
-  for (int t = 99; t >= 0; --t) record.Add(Map(t));
-  ASSERT_EQ(record.maps.size(), kMostNavigationMaps);
-  EXPECT_EQ(record.maps.front().t, 0);
-  EXPECT_EQ(record.maps.back().t, static_cast<int>(kMostNavigationMaps) - 1);
 }
 
 TEST(NavigationRecordTest, TablesAndPageNameWorldsAndDrawWhatWentWrong) {
