@@ -65,7 +65,7 @@ const char* const kDrawnRunStyle = R"css(
 .pen{fill:#f7f8f8;stroke:#5d666d;stroke-width:2}.thing{fill:#b9c3cc;stroke:#5d666d;stroke-width:1}
 .way{fill:none;stroke:var(--accent);stroke-width:1.6}.start{fill:none;stroke:var(--accent);stroke-width:1.2}
 .stand{fill:none;stroke:var(--second);stroke-width:2}.geon{fill:#96281b}
-.stop{fill:var(--ink)}svg text.stop-number{fill:var(--ink);font-weight:600}
+.stop{fill:var(--ink)}svg text.stop-number{fill:var(--ink);font-weight:600;paint-order:stroke;stroke:#fff;stroke-width:3px}
 table.runs{border-collapse:collapse}table.runs th,table.runs td{padding:3px 10px;text-align:right}
 table.runs th:first-child,table.runs td:first-child{text-align:left}
 )css";

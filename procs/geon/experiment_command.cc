@@ -12,6 +12,7 @@ void AddExperimentCommand(CLI::App& app, int* exit_code) {
   AddExperimentColorCommand(*command, exit_code);
   AddExperimentBackgroundCommand(*command, exit_code);
   AddExperimentNavigationCommand(*command, exit_code);
+  AddExperimentRobotCommand(*command, exit_code);
   AddExperimentMergeCommand(*command, exit_code);
   AddExperimentTuneCommand(*command, exit_code);
 }

@@ -8,6 +8,7 @@
 #include "procs/geon/experiment_record.h"
 #include "procs/geon/experiment_shapes.h"
 #include "procs/geon/navigation_record.h"
+#include "procs/geon/robot_record.h"
 
 namespace geon::cli {
 
@@ -17,6 +18,7 @@ void AddExperimentBenchCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentColorCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentBackgroundCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentNavigationCommand(CLI::App& experiment, int* exit_code);
+void AddExperimentRobotCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentMergeCommand(CLI::App& experiment, int* exit_code);
 void AddExperimentTuneCommand(CLI::App& experiment, int* exit_code);
 
@@ -42,6 +44,8 @@ int Deliver(const BenchRecord& record, double seconds, bool json,
 int Deliver(const ColorRecord& record, double seconds, bool json,
             const std::filesystem::path& output);
 int Deliver(const NavigationRecord& record, double seconds, bool json,
+            const std::filesystem::path& output);
+int Deliver(const RobotRecord& record, double seconds, bool json,
             const std::filesystem::path& output);
 
 }  // namespace geon::cli

@@ -62,6 +62,9 @@ int Merge(const MergeArguments& arguments) {
     return MergeAs<NavigationRecord>(values, arguments, ParseNavigationRecord,
                                      MergeNavigationRecords);
   }
+  if (values.front().value("experiment", "") == kRobotExperiment) {
+    return MergeAs<RobotRecord>(values, arguments, ParseRobotRecord, MergeRobotRecords);
+  }
   return MergeAs<ShapeRecord>(values, arguments, ParseRecord, MergeRecords);
 }
 

@@ -42,5 +42,13 @@ TEST(ThesisResults, KnowsNoOtherObjects) {
   EXPECT_FALSE(ThesisRow({GeonLabel::kBentCylinder, "2", 2}).has_value());  // N/A in table 6.4
 }
 
+TEST(ThesisResults, RunsAreThoseThatItGivesInPercent) {
+  EXPECT_NEAR(kThesisRunsOnFloor.value_1(), 0.47, 0.005);
+  EXPECT_NEAR(kThesisRunsOnBox.value_1(), 0.73, 0.005);
+  EXPECT_NEAR(kThesisRuns.value_1(), 0.60, 0.005);
+  EXPECT_EQ(kThesisRunsOnFloor.n + kThesisRunsOnBox.n, kThesisRuns.n);
+  EXPECT_EQ(kThesisRunsOnFloor.right + kThesisRunsOnBox.right, kThesisRuns.right);
+}
+
 }  // namespace
 }  // namespace geon::evaluation

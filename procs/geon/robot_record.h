@@ -1,0 +1,104 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/status.h"
+#include "evaluation/confusion.h"
+#include "procs/geon/drawn_run.h"
+#include "sensor/planner_state.h"
+
+namespace geon::cli {
+
+// One mission of `geon experiment robot`, as results.json keeps it. Times are virtual, from its
+// start.
+struct RobotTrialRecord {
+  int t = 0;
+  uint64_t seed = 0;            // of the world and of all noise
+  std::string world;            // name of the file; empty: a random world
+  evaluation::Subject subject;  // what the geon is, what it stands on (floor, box), how it lies
+  sensor::MissionOutcome end = sensor::MissionOutcome::kRunning;  // still: time was over
+  std::optional<GeonLabel> label;  // of the verdict, decided or not; nothing: there was none
+  double confidence = 0.0;
+  bool decided = false;
+  int views = 0;    // scans that the verdict rests on
+  std::string why;  // in the mission's words
+  std::optional<double> first_sight_s;
+  double end_s = 0.0;
+  int contacts = 0;
+  double hardest_contact_m_s = 0.0;
+  double path_m = 0.0;
+
+  bool reached() const { return label.has_value(); }
+  bool named() const { return end == sensor::MissionOutcome::kNamed; }
+  bool right() const { return named() && label == subject.truth; }
+  bool right_guess() const { return !named() && label == subject.truth; }
+  bool unreachable() const { return end == sensor::MissionOutcome::kUnreachable; }
+  bool trapped() const { return !reached() && !unreachable(); }
+};
+
+// The first run, told by what the head's camera saw whenever the mission went over to another
+// phase.
+struct RobotFilm {
+  struct Still {
+    double time_s = 0.0;
+    std::string phase;  // that begins
+    std::string text;   // why
+    Eigen::Vector2d place_m{0.0, 0.0};
+    std::string picture_uri;  // empty: there was no new one
+  };
+  DrawnRun run;
+  std::vector<Still> stills;
+};
+
+// Everything the experiment found.
+struct RobotRecord {
+  std::string method;  // of recognition
+  uint64_t seed = 1;
+  std::string git;
+  nlohmann::json conditions;             // what was asked for; equal in all shards
+  std::vector<RobotTrialRecord> trials;  // by rising t
+  std::vector<DrawnRun> maps;            // the first that are not right, by rising t
+  std::optional<RobotFilm> film;         // of trial 0, in the shard that has it
+};
+
+inline constexpr const char* kRobotExperiment = "robot";
+
+// Contract geon.experiment.v1 with "experiment": "robot". The same trials give the same bytes
+// however they were spread over jobs and shards.
+std::string RobotRecordText(const RobotRecord& record);
+// Errors name `name`, the file.
+Result<RobotRecord> ParseRobotRecord(const nlohmann::json& value, const std::string& name);
+// The trials of all shards together. Errors: as JoinShards.
+Result<RobotRecord> MergeRobotRecords(const std::vector<RobotRecord>& shards);
+
+// What the runs came to; every run is right, wrong, undecided, trapped or unreachable.
+struct RobotSummary {
+  evaluation::SuccessRate right;  // named, with the true label; of all runs
+  int wrong = 0;                  // named, with another
+  int undecided = 0;              // a verdict that the mission did not stand by, ...
+  int right_guesses = 0;          // ... though it was right
+  int trapped = 0;                // no verdict, and no word that there is no way
+  int unreachable = 0;
+  int contacts = 0;
+  double hardest_contact_m_s = 0.0;
+  std::vector<double> times_s;  // from the start to the verdict, of those that reached one
+};
+// Of the runs with the geon on `place`; empty: of all.
+RobotSummary Summarize(const RobotRecord& record, const std::string& place = "");
+// On which places the geon stood: floor, box or both.
+std::vector<std::string> PlacesOf(const RobotRecord& record);
+
+// By place: a heading and rows of cells, the thesis's figures among them; for people.
+std::vector<std::vector<std::string>> RobotTable(const RobotRecord& record);
+// The same as text, and what the thesis counted.
+std::string RobotTables(const RobotRecord& record);
+extern const char* const kThesisRunsNote;
+
+// One self-contained HTML page: the table, the film of the first run, truth by answer, and a map of
+// every run that is not right.
+std::string RobotPage(const RobotRecord& record);
+
+}  // namespace geon::cli
