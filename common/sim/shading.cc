@@ -190,12 +190,13 @@ void AskSun(const Scene& scene, const SurfaceRow& row, const Lights& lights,
 // Mean of each pixel's 2 x 2 block; the last column takes its left neighbour.
 void MeanOfBlocks(const std::vector<uint8_t>& lit, const std::vector<uint8_t>& lit_next,
                   std::vector<float>* visible_1) {
-  const size_t width = lit.size();
-  for (size_t u = 0; u < width; ++u) {
-    const size_t beside = u + 1 < width ? u + 1 : u - 1;
-    const int sum = lit[u] + lit[beside] + lit_next[u] + lit_next[beside];
-    (*visible_1)[u] = 0.25F * static_cast<float>(sum);
+  const auto last = static_cast<int>(lit.size()) - 1;
+  const uint8_t *here = lit.data(), *below = lit_next.data();
+  float* mean_1 = visible_1->data();
+  for (int u = 0; u < last; ++u) {
+    mean_1[u] = 0.25F * static_cast<float>(here[u] + here[u + 1] + below[u] + below[u + 1]);
   }
+  mean_1[last] = mean_1[last - 1];
 }
 
 void Shade(const Scene& scene, const View& view, LampShadows shadows, Colors colors,
