@@ -39,16 +39,14 @@ void InfraredRing::Advance(double time_s, const RingPose& pose) {
 }
 
 double InfraredRing::Sample(int sensor, const RingPose& pose) {
-  const double bearing_rad = pose.bearing_W_rad + sensor * 2.0 * kPi / kCount;
-  const Eigen::Vector3d axis_W(std::cos(bearing_rad), std::sin(bearing_rad), 0.0);
-  const Eigen::Vector3d origin_W_m(pose.center_W_m.x() + options_.ring_radius_m * axis_W.x(),
-                                   pose.center_W_m.y() + options_.ring_radius_m * axis_W.y(),
-                                   options_.height_m);
+  const geometry::RigidTransform X_WS =
+      RingSensorPose(pose, sensor, kCount, options_.ring_radius_m, options_.height_m);
   double light_1 = 0.0;
   for (const double side : {-1.0, 0.0, 1.0}) {
-    const double ray_rad = bearing_rad + side * options_.half_cone_rad;
-    const auto hit =
-        surroundings_->CastRay(origin_W_m, {std::cos(ray_rad), std::sin(ray_rad), 0.0});
+    const double off_axis_rad = side * options_.half_cone_rad;
+    const auto hit = surroundings_->CastRay(
+        X_WS.translation(),
+        X_WS.linear() * Eigen::Vector3d(std::cos(off_axis_rad), std::sin(off_axis_rad), 0.0));
     if (!hit || hit->distance_m > options_.reach_m) continue;
     const double spread_1 = hit->distance_m / options_.half_power_distance_m;
     light_1 = std::max(light_1, hit->reflectance_1 / (1.0 + spread_1 * spread_1));

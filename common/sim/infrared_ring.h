@@ -6,7 +6,7 @@
 
 #include "base/angles.h"
 #include "sim/noise_source.h"
-#include "sim/sonar_ring.h"
+#include "sim/ring_pose.h"
 #include "sim/surroundings.h"
 
 namespace geon::sim {

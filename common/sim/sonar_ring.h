@@ -1,13 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include "base/angles.h"
 #include "sim/noise_source.h"
+#include "sim/ring_pose.h"
+#include "sim/sonar_echo.h"
 #include "sim/surroundings.h"
 
 namespace geon::sim {
@@ -20,36 +19,28 @@ struct DeadSonar {
 struct SonarRingOptions {
   double ring_radius_m = 0.225;
   double height_m = 0.55;
-  double half_cone_rad = RadiansFromDegrees(15.0);
-  // A smooth surface sends the sound back only when it is met this squarely.
-  double specular_limit_rad = RadiansFromDegrees(22.0);
-  double edge_echo_1 = 0.12;                 // strength of an edge's echo, a wall's being 1
-  double full_strength_range_m = 2.0;        // beyond it echoes fade with the square of the range
-  double threshold_1 = 0.02;                 // the faintest echo heard
-  double sigma_1 = 0.01;                     // of the range, but at least half an inch
-  bool double_bounce = true;                 // corners answer by way of both their walls
-  double multiple_echo_probability_1 = 0.3;  // a wall too near is heard at its second echo
-  double deaf_probability_1 = 0.0;           // hears nothing
-  double specular_probability_1 = 0.0;       // misses what is there, hears something farther away
-  double crosstalk_probability_1 = 0.003;    // hears what the sonar fired before it sent
-  double tick_s = 0.004;                     // unit of the firing rate
-  int rate = 15;                             // ticks between firings
+  SonarEchoOptions echo;
+  double sigma_1 = 0.01;  // of the range, but at least half an inch
+  // Too near a wall the first echo is missed, and the second or third is heard as often as this.
+  double multiple_echo_probability_1 = 0.8;
+  // How much a ping's loudness differs from the next one's: standard deviation of its logarithm.
+  // This and the next three are set by a real ring's log (tests/real_data/sonar_log_test.cc). Of
+  // its readings between two before and two after that agree, 0.4 % are silent, 0.35 % too far, 0.2
+  // % too near.
+  double fading_1 = 0.55;
+  double deaf_probability_1 = 0.004;       // hears nothing
+  double specular_probability_1 = 0.0035;  // misses what is there, hears something farther away
+  double crosstalk_probability_1 = 0.003;  // hears what the sonar fired before it sent
+  double tick_s = 0.004;                   // unit of the firing rate
+  int rate = 15;                           // ticks between firings
   std::array<uint8_t, 16> order = {0, 2, 15, 1, 14, 3, 13, 4, 12, 5, 11, 6, 10, 7, 9, 8};
   std::vector<DeadSonar> dead;
 };
 
-// Where the ring is at the moment a sonar fires.
-struct RingPose {
-  Eigen::Vector2d center_W_m = Eigen::Vector2d::Zero();
-  double bearing_W_rad = 0.0;  // of sensor 0
-};
-
 // Sixteen Polaroid rangers on the turret, fired one after another; each keeps its last reading
-// until its turn comes again (hardware card 5).
-//
-// A ping is a fan of rays over the cone. A ray gives an echo where it meets a surface squarely, at
-// an edge (where the surface ends or bends away), and after two bounces in a corner; the nearest
-// echo loud enough counts. Readings are whole inches from 17 (the blanking time) to 255 (none).
+// until its turn comes again (hardware card 5). What a ping hears is SonarEcho_m's; here are the
+// order of firing, noise and misreadings. Readings are whole inches from 17 (the blanking time) to
+// 255 (none).
 class SonarRing {
  public:
   static constexpr int kCount = 16;
@@ -68,16 +59,7 @@ class SonarRing {
 
   const std::array<uint8_t, kCount>& readings_in() const { return readings_in_; }
 
-  // The range of the echo heard, before noise: nothing when there is none. Exposed for tests.
-  std::optional<double> Echo_m(int sensor, const RingPose& pose) const;
-
  private:
-  struct Ray;
-  std::vector<Ray> CastFan(const Eigen::Vector3d& origin_W_m, double bearing_W_rad) const;
-  std::optional<double> DoubleBounce_m(const Eigen::Vector3d& origin_W_m, const Ray& ray) const;
-  // Whether the surface that `ray` meets ends, or bends away, before its neighbour.
-  static bool FallsBack(const Ray& ray, const Ray& neighbour);
-  bool Audible(double range_m, double strength_1) const;
   uint8_t Ping(int sensor, const RingPose& pose);
 
   SonarRingOptions options_;

@@ -10,7 +10,7 @@ namespace geon::sim {
 struct RayHit {
   double distance_m = 0.0;
   Eigen::Vector3d normal_W = Eigen::Vector3d::UnitZ();  // unit, towards the side the ray comes from
-  double reflectance_1 = 0.5;  // share of the light or sound that comes back, 0 to 1
+  double reflectance_1 = 0.5;  // share of the light that comes back, 0 to 1
 };
 
 // An obstacle near the robot's rim.

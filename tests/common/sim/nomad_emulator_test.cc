@@ -20,7 +20,9 @@ class NomadEmulatorTest : public ::testing::Test {
 
   static NomadEmulatorOptions Options() {
     NomadEmulatorOptions options;
-    options.sonar.crosstalk_probability_1 = 0.0;
+    SonarRingOptions& sonar = options.sonar;
+    sonar.fading_1 = sonar.deaf_probability_1 = sonar.specular_probability_1 =
+        sonar.crosstalk_probability_1 = sonar.multiple_echo_probability_1 = 0.0;
     return options;
   }
   std::vector<NomadFrame> Hear(double duration_s) {

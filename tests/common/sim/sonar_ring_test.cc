@@ -17,31 +17,14 @@ Walls WallAhead(double away_m) { return Walls({{{-1.0, 0.0}, -(away_m + 0.225)}}
 
 SonarRingOptions Quiet() {
   SonarRingOptions options;
-  options.crosstalk_probability_1 = 0.0;
+  options.fading_1 = options.deaf_probability_1 = options.specular_probability_1 =
+      options.crosstalk_probability_1 = 0.0;
   return options;
 }
 
 void Fire(SonarRing* ring, double duration_s, const RingPose& pose = {}) {
   for (double t_s = 0.0; t_s < duration_s; t_s += 0.004) ring->Advance(t_s, pose);
 }
-
-// A single upright pole of the radius of the thesis's cylinders.
-class Pole : public FreeSpace {
- public:
-  std::optional<RayHit> CastRay(const Eigen::Vector3d& origin_W_m,
-                                const Eigen::Vector3d& direction_W) const override {
-    const Eigen::Vector2d to_axis = Eigen::Vector2d(2.0, 0.0) - origin_W_m.head<2>();
-    const Eigen::Vector2d direction = direction_W.head<2>().normalized();
-    const double along_m = to_axis.dot(direction);
-    const double off2 = to_axis.squaredNorm() - along_m * along_m;
-    if (along_m < 0.0 || off2 > kRadius_m * kRadius_m) return std::nullopt;
-    const double flat_m = along_m - std::sqrt(kRadius_m * kRadius_m - off2);
-    const Eigen::Vector2d normal =
-        (origin_W_m.head<2>() + flat_m * direction - Eigen::Vector2d(2.0, 0.0)) / kRadius_m;
-    return RayHit{flat_m / direction_W.head<2>().norm(), {normal.x(), normal.y(), 0.0}, 0.8};
-  }
-  static constexpr double kRadius_m = 0.075;
-};
 
 TEST(SonarRing, MeasuresAWallInWholeInches) {
   const Walls world = WallAhead(2.0);
@@ -55,63 +38,6 @@ TEST(SonarRing, SaysNothingIsThereInTheOpen) {
   SonarRing ring(Quiet(), 1, &world);
   Fire(&ring, 1.0);
   for (const uint8_t reading : ring.readings_in()) EXPECT_EQ(reading, SonarRing::kNoEcho_in);
-}
-
-TEST(SonarRing, ASlantedWallSendsTheSoundAway) {
-  // The wall's normal is 60 degrees off the axis: no ray of the cone meets it squarely.
-  const Eigen::Vector2d normal(-std::cos(kPi / 3), -std::sin(kPi / 3));
-  const Walls slanted({{normal, -1.0}});
-  const SonarRing ring(Quiet(), 1, &slanted);
-  EXPECT_FALSE(ring.Echo_m(0, {}).has_value());
-  const Eigen::Vector2d square(-std::cos(0.2), -std::sin(0.2));
-  const Walls nearly_square({{square, -1.5}});
-  const SonarRing other(Quiet(), 1, &nearly_square);
-  EXPECT_TRUE(other.Echo_m(0, {}).has_value());
-}
-
-TEST(SonarRing, HearsAPole) {
-  const Pole world;
-  const SonarRing ring(Quiet(), 1, &world);
-  const auto echo_m = ring.Echo_m(0, {});
-  ASSERT_TRUE(echo_m.has_value());
-  EXPECT_NEAR(*echo_m, 2.0 - 0.225 - Pole::kRadius_m, 0.06);
-}
-
-// A slanted panel that sends all sound away but for the edge where it ends.
-class Panel : public Walls {
- public:
-  Panel() : Walls({{{-std::cos(kPi / 3), -std::sin(kPi / 3)}, -0.6}}) {}
-  std::optional<RayHit> CastRay(const Eigen::Vector3d& origin_W_m,
-                                const Eigen::Vector3d& direction_W) const override {
-    const auto hit = Walls::CastRay(origin_W_m, direction_W);
-    if (!hit || (origin_W_m + hit->distance_m * direction_W).y() < 0.05) return std::nullopt;
-    return hit;
-  }
-};
-
-TEST(SonarRing, HearsTheEdgeOfAPanelFaintly) {
-  const Panel world;
-  SonarRingOptions options = Quiet();
-  const SonarRing ring(options, 1, &world);
-  const auto echo_m = ring.Echo_m(0, {});
-  ASSERT_TRUE(echo_m.has_value());
-  EXPECT_NEAR(*echo_m, 0.6 / 0.5 - 0.225 - 0.05 * std::sqrt(3.0), 0.1);
-  options.edge_echo_1 = 0.0;
-  EXPECT_FALSE(SonarRing(options, 1, &world).Echo_m(0, {}).has_value());
-}
-
-TEST(SonarRing, ACornerAnswersByWayOfBothWalls) {
-  // A right-angled corner looked into along its bisector: each wall is met at 45 degrees.
-  const double s = std::sqrt(0.5);
-  const Walls corner({{{-s, s}, -1.2}, {{-s, -s}, -1.2}});
-  SonarRingOptions options = Quiet();
-  SonarRing ring(options, 1, &corner);
-  const auto echo_m = ring.Echo_m(0, {});
-  ASSERT_TRUE(echo_m.has_value());
-  EXPECT_NEAR(*echo_m, 1.2 / s - 0.225, 0.1);
-  options.double_bounce = false;
-  const SonarRing simple(options, 1, &corner);
-  EXPECT_FALSE(simple.Echo_m(0, {}).has_value());
 }
 
 TEST(SonarRing, FiresOneAfterAnotherInItsOrder) {
@@ -139,20 +65,68 @@ TEST(SonarRing, KeepsAStaleReadingUntilItsNextTurn) {
   EXPECT_NEAR(ring.readings_in()[0] * kSonarInch_m, 3.0, 0.15);
 }
 
-TEST(SonarRing, TooNearAWallReadsTheMinimumOrALaterEcho) {
-  const Walls world = WallAhead(0.25);
-  SonarRing ring(Quiet(), 3, &world);
+// What sensor 0 reads, ping after ping.
+std::vector<int> Readings(const SonarRingOptions& options, const Walls& world, int count) {
+  SonarRing ring(options, 7, &world);
   ring.Configure(1, {0}, 0.0);
-  std::set<bool> kinds;
-  for (double t_s = 0.0; t_s < 2.0; t_s += 0.004) {
-    ring.Advance(t_s, {});
-    const int reading = ring.readings_in()[0];
-    if (reading == SonarRing::kNoEcho_in) continue;
-    EXPECT_GE(reading, SonarRing::kNearest_in);
-    EXPECT_LE(reading, 26);
-    kinds.insert(reading > SonarRing::kNearest_in);
+  std::vector<int> readings;
+  for (int k = 1; k <= count; ++k) {
+    ring.Advance(0.004 * k, {});
+    readings.push_back(ring.readings_in()[0]);
   }
-  EXPECT_EQ(kinds.size(), 2u) << "both kinds happen";
+  return readings;
+}
+
+TEST(SonarRing, TooNearAWallReadsTwoOrThreeTimesTooFarOrTheMinimum) {
+  for (const auto& [away_m, times] : {std::pair{0.30, 2}, {0.18, 3}}) {
+    int later = 0, least = 0;
+    for (const int reading : Readings(Quiet(), WallAhead(away_m), 1000)) {
+      (reading == SonarRing::kNearest_in ? least : later) += 1;
+      if (reading != SonarRing::kNearest_in) {
+        EXPECT_NEAR(reading * kSonarInch_m, times * away_m, times * 0.045);
+      }
+    }
+    EXPECT_NEAR(later, 800, 60);
+    EXPECT_NEAR(least, 200, 60);
+  }
+}
+
+TEST(SonarRing, NoiseIsAtLeastHalfAnInch) {
+  double squares_in2 = 0.0;
+  for (const int reading : Readings(Quiet(), WallAhead(30 * kSonarInch_m), 2000)) {
+    squares_in2 += std::pow(reading - 30.0, 2) / 2000.0;
+  }
+  // And a twelfth for the whole inches.
+  EXPECT_NEAR(std::sqrt(squares_in2), std::sqrt(0.25 + 1.0 / 12.0), 0.05);
+}
+
+TEST(SonarRing, AnEchoAtTheEdgeOfHearingComesAndGoes) {
+  SonarRingOptions options = Quiet();
+  const double away_m = 5.0;
+  options.echo.reach_m = away_m;
+  const auto heard = [&] {
+    int count = 0;
+    for (const int reading : Readings(options, WallAhead(away_m), 1000)) {
+      count += reading < SonarRing::kNoEcho_in ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_EQ(heard(), 1000);
+  options.fading_1 = 0.5;
+  EXPECT_NEAR(heard(), 500, 80);
+}
+
+TEST(SonarRing, AFewReadingsAreSilentOrFarther) {
+  SonarRingOptions options = Quiet();
+  options.deaf_probability_1 = 0.05;
+  options.specular_probability_1 = 0.1;
+  int silent = 0, farther = 0;
+  for (const int reading : Readings(options, WallAhead(2.0), 2000)) {
+    silent += reading == SonarRing::kNoEcho_in ? 1 : 0;
+    farther += reading > 85 && reading < SonarRing::kNoEcho_in ? 1 : 0;
+  }
+  EXPECT_NEAR(silent, 100, 40);
+  EXPECT_NEAR(farther, 190, 50);
 }
 
 TEST(SonarRing, NoiseIsAboutOnePercent) {
