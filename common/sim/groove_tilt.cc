@@ -23,17 +23,18 @@ double Depth(double x_m, double tile_m) {
 
 }  // namespace
 
-Eigen::Matrix3d GrooveTilt(const World& world, const Eigen::Vector2d& center_W_m, double base_rad) {
-  if (world.groove_tilt_rad <= 0.0) return Eigen::Matrix3d::Identity();
+Eigen::Matrix3d GrooveTilt(const FloorGrooves& grooves, const Eigen::Vector2d& center_W_m,
+                           double base_rad) {
+  if (grooves.tilt_rad <= 0.0) return Eigen::Matrix3d::Identity();
   // One wheel all the way down tilts the plane of three by drop / (1.5 radius).
-  const double drop_m = 1.5 * kWheelCircle_m * std::tan(world.groove_tilt_rad);
+  const double drop_m = 1.5 * kWheelCircle_m * std::tan(grooves.tilt_rad);
   Eigen::Vector2d slope_1 = Eigen::Vector2d::Zero();
   for (int wheel = 0; wheel < 3; ++wheel) {
     const double leg_rad = base_rad + 2.0 * kPi * wheel / 3.0;
     const Eigen::Vector2d leg(std::cos(leg_rad), std::sin(leg_rad));
     const Eigen::Vector2d foot_m = center_W_m + kWheelCircle_m * leg;
     const double depth_1 =
-        std::max(Depth(foot_m.x(), world.floor_tile_m), Depth(foot_m.y(), world.floor_tile_m));
+        std::max(Depth(foot_m.x(), grooves.tile_m), Depth(foot_m.y(), grooves.tile_m));
     slope_1 -= 2.0 / (3.0 * kWheelCircle_m) * drop_m * depth_1 * leg;
   }
   const Eigen::Vector3d up(-slope_1.x(), -slope_1.y(), 1.0);

@@ -22,7 +22,7 @@ double UnitOf(Servo servo) {
 int Tenths(double value, double unit) { return static_cast<int>(std::lround(value / unit)); }
 
 RingPose TurretPose(const SynchroDrive& drive) {
-  return {drive.center_W_m(), drive.turret_W_rad()};
+  return {drive.center_W_m(), drive.turret_W_rad(), drive.tilt_W()};
 }
 
 NomadFrame Nak() { return {static_cast<uint8_t>(NomadType::kNak), {}}; }

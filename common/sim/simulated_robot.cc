@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/contracts.h"
-#include "sim/groove_tilt.h"
 #include "sim/hash_noise.h"
 #include "sim/world_scene.h"
 
@@ -19,6 +18,7 @@ NomadEmulatorOptions PlacedBase(const World& world, NomadEmulatorOptions base, u
   base.drive.y_m = world.robot_y_m;
   base.drive.heading_rad = world.robot_heading_rad;
   base.drive.radius_m = kRobotRadius_m;
+  base.drive.grooves = {world.floor_tile_m, world.groove_tilt_rad};
   return base;
 }
 
@@ -82,8 +82,7 @@ Result<std::unique_ptr<SimulatedRobot>> SimulatedRobot::Create(const World& worl
 SimulatedRobot::SimulatedRobot(const World& world, std::shared_ptr<const Scene> scene,
                                const geometry::SensorRig& rig, const SimOptions& options,
                                uint64_t seed)
-    : world_(world),
-      scene_(std::move(scene)),
+    : scene_(std::move(scene)),
       rig_(rig),
       options_(options),
       seed_(seed),
@@ -187,8 +186,7 @@ RigPose SimulatedRobot::Pose() const {
   RigPose pose;
   pose.X_WR =
       geometry::PlanarPose(drive.center_W_m().x(), drive.center_W_m().y(), drive.turret_W_rad());
-  pose.X_WR.linear() =
-      GrooveTilt(world_, drive.center_W_m(), drive.base_W_rad()) * pose.X_WR.linear();
+  pose.X_WR.linear() = drive.tilt_W() * pose.X_WR.linear();
   pose.pan_rad = ptu_.pan_rad();
   pose.tilt_rad = ptu_.tilt_rad();
   return pose;

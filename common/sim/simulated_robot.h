@@ -112,7 +112,6 @@ class SimulatedRobot {
   Line& line(DeviceId device) { return lines_[static_cast<size_t>(device)]; }
   RigPose Pose() const;
 
-  World world_;
   std::shared_ptr<const Scene> scene_;
   geometry::SensorRig rig_;
   SimOptions options_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/angles.h"
+#include "sim/groove_tilt.h"
 #include "sim/surroundings.h"
 #include "sim/trapezoid_axis.h"
 
@@ -25,6 +26,7 @@ struct SynchroDriveOptions {
   // What the encoders count for one unit really travelled: worn tyres, a tilted floor.
   double odometry_distance_scale_1 = 1.0;
   double odometry_turn_scale_1 = 1.0;
+  FloorGrooves grooves;
 };
 
 enum class Servo { kTranslation = 0, kSteering = 1, kTurret = 2 };
@@ -71,6 +73,10 @@ class SynchroDrive {
   double heading_W_rad() const { return heading_W_rad_; }  // where the wheels point
   double turret_W_rad() const { return turret_W_rad_; }
   double base_W_rad() const { return options_.heading_rad; }  // never turns
+  // How the floor tilts it, about its centre.
+  Eigen::Matrix3d tilt_W() const {
+    return GrooveTilt(options_.grooves, center_W_m_, options_.heading_rad);
+  }
   // Velocity of the centre along the heading as really driven, sign included.
   double true_speed_m_s() const { return true_speed_m_s_; }
   double true_turn_rate_rad_s() const;

@@ -12,23 +12,21 @@ namespace {
 double TiltOf(const Eigen::Matrix3d& rotation) { return std::acos(std::min(1.0, rotation(2, 2))); }
 
 TEST(GrooveTiltTest, FlatFloorDoesNotTilt) {
-  EXPECT_TRUE(GrooveTilt(World(), {1.2, 0.6}, 0.3).isIdentity());
+  EXPECT_TRUE(GrooveTilt({}, {1.2, 0.6}, 0.3).isIdentity());
 }
 
 TEST(GrooveTiltTest, OneWheelInAGrooveTiltsByTheStatedAngleTowardsIt) {
-  World world;
-  world.groove_tilt_rad = RadiansFromDegrees(1.0);
+  const FloorGrooves grooves{0.6, RadiansFromDegrees(1.0)};
   // Wheel 0 ahead along x stands on the groove x = 0.6; the other two are in the middle of a tile.
   const Eigen::Vector2d center_m(0.6 - 0.19, 0.3);
-  const Eigen::Matrix3d tilt = GrooveTilt(world, center_m, 0.0);
+  const Eigen::Matrix3d tilt = GrooveTilt(grooves, center_m, 0.0);
   EXPECT_NEAR(TiltOf(tilt), RadiansFromDegrees(1.0), 1e-4);
   EXPECT_LT((tilt * Eigen::Vector3d::UnitX()).z(), 0.0);  // nose down
 }
 
 TEST(GrooveTiltTest, NoWheelInAGrooveLeavesItLevel) {
-  World world;
-  world.groove_tilt_rad = RadiansFromDegrees(1.0);
-  EXPECT_NEAR(TiltOf(GrooveTilt(world, {0.3, 0.3}, 0.0)), 0.0, 1e-9);
+  const FloorGrooves grooves{0.6, RadiansFromDegrees(1.0)};
+  EXPECT_NEAR(TiltOf(GrooveTilt(grooves, {0.3, 0.3}, 0.0)), 0.0, 1e-9);
 }
 
 }  // namespace

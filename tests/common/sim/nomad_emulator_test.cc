@@ -302,6 +302,42 @@ TEST_F(NomadAtAWallTest, EachSonarIsAsOldAsItsTurn) {
   EXPECT_GT(Ask(NomadType::kGetSonar).at(0).payload[0], before + 10);
 }
 
+// A wall that ends between the heights of a sonar that is lowered by a tilt and one that is not.
+class LowWall : public Walls {
+ public:
+  LowWall() : Walls({{{-1.0, 0.0}, -1.5}}) {}
+  std::optional<RayHit> CastRay(const Eigen::Vector3d& origin_W_m,
+                                const Eigen::Vector3d& direction_W) const override {
+    const auto hit = Walls::CastRay(origin_W_m, direction_W);
+    if (!hit || (origin_W_m + hit->distance_m * direction_W).z() > 0.546) return std::nullopt;
+    return hit;
+  }
+};
+
+TEST_F(NomadEmulatorTest, ItsRingsTiltWithARobotWhoseWheelStandsInAGroove) {
+  const LowWall world;
+  NomadEmulatorOptions options = Options();
+  options.sonar.echo.scatter_1 = 0.0;  // no edges
+  const auto ahead_in = [&](double tilt_rad) {
+    options.drive.grooves = {0.6, tilt_rad};
+    options.drive.x_m = 0.6 - 0.19;  // the first wheel in the groove at 0.6 m
+    options.drive.y_m = 0.3;
+    NomadEmulator base(options, &world);
+    TestHost host(&base);
+    host.Send(EncodeNomadFrame({static_cast<uint8_t>(NomadType::kGetSonar), {}}));
+    host.Listen(1.1);
+    host.Send(EncodeNomadFrame({static_cast<uint8_t>(NomadType::kGetSonar), {}}));
+    NomadFrameReader reader;
+    int reading = -1;
+    for (const uint8_t byte : host.Listen(0.1)) {
+      for (const NomadFrame& frame : reader.Push(byte)) reading = frame.payload.at(0);
+    }
+    return reading;
+  };
+  EXPECT_EQ(ahead_in(0.0), SonarRing::kNoEcho_in) << "above the wall";
+  EXPECT_NEAR(ahead_in(RadiansFromDegrees(2.0)), (1.5 - 0.41 - 0.225) / 0.0254, 3.0);
+}
+
 TEST_F(NomadEmulatorTest, AnyNoiseLeavesItAnsweringInStep) {
   NoiseSource noise(2024);
   for (int i = 0; i < 10000; ++i) {

@@ -183,5 +183,93 @@ TEST(SimulatedRobotTest, HowTimeIsCutDoesNotMatter) {
   EXPECT_EQ(Develop(a.back(), &first).pixels, Develop(b.back(), &second).pixels);
 }
 
+// A robot at (0.9, 1.01) that looks along y; its foremost wheel stands in the groove at y = 1.2.
+class TiltedRobotTest : public ::testing::TestWithParam<double> {
+ protected:
+  static constexpr double kY_m = 1.01;
+  double tilt_rad() const { return RadiansFromDegrees(GetParam()); }
+
+  std::unique_ptr<SimulatedRobot> Robot(const std::string& objects) const {
+    World world = WorldFrom(objects);
+    world.groove_tilt_rad = tilt_rad();
+    world.robot_x_m = 0.9;
+    world.robot_y_m = kY_m;
+    SimOptions options;
+    options.renderer = WithoutMountingErrors();
+    return std::move(*SimulatedRobot::Create(world, TestRig(), options, 1));
+  }
+  // Of a point of the head that is `up_m` above the middle of its axes and 0.05 m ahead of it.
+  struct HeadPoint {
+    double ahead_m, height_m, pitch_rad;
+  };
+  HeadPoint Place(double up_m) const {
+    const double pitch_rad = RadiansFromDegrees(15.0);  // as drawn, on a level floor
+    const double ahead_m = 0.05 * std::cos(pitch_rad) + up_m * std::sin(pitch_rad);
+    const double height_m = 1.2 - 0.05 * std::sin(pitch_rad) + up_m * std::cos(pitch_rad);
+    // Nose down, about the middle of the wheels.
+    return {ahead_m * std::cos(tilt_rad()) + height_m * std::sin(tilt_rad()),
+            height_m * std::cos(tilt_rad()) - ahead_m * std::sin(tilt_rad()),
+            pitch_rad + tilt_rad()};
+  }
+};
+
+TEST_P(TiltedRobotTest, TheFarWallsRimMovesInThePictureAsGeometrySays) {
+  const auto robot = Robot("");
+  robot->Advance(0.3);
+  const auto exposures = Of(CameraId::kHeadColor, robot->TakeExposures());
+  ASSERT_FALSE(exposures.empty());
+  RigRenderer renderer = robot->MakeRenderer();
+  const Frame frame = Develop(exposures.front(), &renderer);
+  const HeadPoint eye = Place(0.110);
+  const geometry::PinholeCamera& camera = TestRig().color_camera;
+  // Seen from above, the rim ends where the board's back is.
+  const double below_rad = std::atan2(eye.height_m - 0.65, 4.52 - kY_m - eye.ahead_m);
+  const double expected_px = camera.cy_px + camera.fy_px * std::tan(below_rad - eye.pitch_rad);
+  ASSERT_GT(expected_px, 10.0);
+  // The white board is brighter than what is behind it.
+  const auto level = [&](int v) {
+    return frame.pixels[static_cast<size_t>(3 * (v * frame.width_px + frame.width_px / 2))];
+  };
+  const int between = (level(2) + level(static_cast<int>(expected_px) + 40)) / 2;
+  int v = 0;
+  while (v < frame.height_px && level(v) < between) ++v;
+  EXPECT_NEAR(v - 0.5, expected_px, 1.0);
+}
+
+TEST_P(TiltedRobotTest, AStripeMovesInThePictureAsGeometrySays) {
+  const double front_m = 1.4;  // a box as high as the head, so far ahead of the robot's middle
+  const auto robot = Robot(
+      "  - {box: [1.0, 0.4, 1.4], x_m: 0.9, y_m: " + std::to_string(kY_m + front_m + 0.2) + "}\n");
+  robot->Advance(1.2);
+  const auto dark = Of(CameraId::kHeadBw, robot->TakeExposures()).back();
+  Say(robot.get(), DeviceId::kLasers, "M71T1\n");
+  robot->Advance(1.6);
+  const auto bright = Of(CameraId::kHeadBw, robot->TakeExposures()).back();
+  ASSERT_EQ(bright.lasers.horizontal_1, 1.0);
+  RigRenderer renderer = robot->MakeRenderer();
+  const Frame unlit = Develop(dark, &renderer), lit = Develop(bright, &renderer);
+  double moment = 0.0, sum = 0.0;
+  for (int v = 0; v < lit.height_px; ++v) {
+    for (int u = lit.width_px / 2 - 20; u < lit.width_px / 2 + 20; ++u) {
+      const auto k = static_cast<size_t>(v * lit.width_px + u);
+      const int light = lit.pixels[k] - unlit.pixels[k];
+      if (light < 20) continue;
+      sum += light;
+      moment += light * v;
+    }
+  }
+  ASSERT_GT(sum, 0.0);
+  // The fan starts 0.125 m above the B/W camera and crosses its axis at 1.037 m: a point at the
+  // depth z is y = 0.125 (1 - z / 1.037) above the axis, and on the box's front.
+  const HeadPoint eye = Place(0.045);
+  const double c = std::cos(eye.pitch_rad), s = std::sin(eye.pitch_rad);
+  const double z_m = (front_m - eye.ahead_m - 0.125 * s) / (c - 0.125 / 1.037 * s);
+  const double y_m = 0.125 * (1.0 - z_m / 1.037);
+  const geometry::PinholeCamera& camera = TestRig().stripe_camera;
+  EXPECT_NEAR(moment / sum, camera.cy_px - camera.fy_px * y_m / z_m, 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tilts_deg, TiltedRobotTest, ::testing::Values(0.0, 0.5, 1.0, 2.0));
+
 }  // namespace
 }  // namespace geon::sim
