@@ -22,6 +22,9 @@ Status ValidateCamera(const CameraOptions& options) {
   if (!(options.blur_1 >= 0.0 && options.blur_1 <= 1.0 / 3.0)) {
     return Status::Error("blur_1 must be between 0 and 1/3");
   }
+  if (!(options.dropped_1 >= 0.0 && options.dropped_1 <= 1.0)) {
+    return Status::Error("dropped_1 must be between 0 and 1");
+  }
   return Status::Ok();
 }
 

@@ -18,6 +18,7 @@ struct CameraOptions {
   double black_level_1 = 0.0;  // pedestal, in units of full scale
   double blur_1 =
       0.12;  // share of a pixel's light that the lens spreads to each neighbour, per axis
+  double dropped_1 = 0.0;  // share of the frames that never arrive
 };
 
 // The two line lasers (thesis section 3.1: 20 mW, 670 nm) as the filtered B/W camera sees them.

@@ -19,6 +19,7 @@ void ReadCamera(YamlSection* root, const std::string& key, CameraOptions* camera
   section.ReadOptional("read_noise_e", &camera->read_noise_e);
   section.ReadOptional("black_level_1", &camera->black_level_1);
   section.ReadOptional("blur_1", &camera->blur_1);
+  section.ReadOptional("dropped_1", &camera->dropped_1);
 }
 
 void ReadLasers(YamlSection* root, LaserOptions* lasers) {

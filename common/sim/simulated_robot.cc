@@ -104,6 +104,7 @@ SimulatedRobot::SimulatedRobot(const World& world, std::shared_ptr<const Scene> 
     shutter.focal_px = drawn[k]->fx_px;
     shutter.made_period_steps = Steps(1.0 / cameras[k]->rate_hz, kStep_s);
     shutter.made_exposure_s = cameras[k]->exposure_us * 1e-6;
+    shutter.dropped_1 = cameras[k]->dropped_1;
     shutter.asked_exposure_s = shutter.next_exposure_s = shutter.made_exposure_s;
     shutter.exposure_steps = Steps(shutter.made_exposure_s, kStep_s);
     // The cameras run freely: nothing makes them start together.
@@ -169,6 +170,8 @@ void SimulatedRobot::StepShutter(Shutter* shutter) {
   }
   shutter->poses.push_back(Pose());
   if (steps_ != shutter->start_step + shutter->exposure_steps - 1) return;
+  const int32_t drop_key = 200 + static_cast<int32_t>(shutter->camera);
+  if (HashUniform(seed_, drop_key, static_cast<int32_t>(shutter->seq)) < shutter->dropped_1) return;
   exposure.end_s = time_s() + kStep_s;
   const auto share_1 = [&](size_t laser) {
     return static_cast<double>(shutter->lit_steps[laser]) /

@@ -24,7 +24,7 @@ inline constexpr std::array kCameras = {CameraId::kHeadColor, CameraId::kHeadBw,
 // A frame that has been exposed: all there is to know to develop it, at any later time.
 struct Exposure {
   CameraId camera = CameraId::kHeadColor;
-  int64_t seq = 0;       // counts from 1, also over frames nobody develops
+  int64_t seq = 0;       // counts from 1, also over frames that are dropped or nobody develops
   double start_s = 0.0;  // of the exposure
   double end_s = 0.0;
   RigPath path;
@@ -73,7 +73,8 @@ class SimulatedRobot {
   // the exposure before; the length is the nearest from 0.1 ms to 2 s. It takes fewer frames a
   // second if they would not leave time to read them out.
   void SetExposure(CameraId camera, double exposure_s);
-  // Exposures that have ended since last asked.
+  // Exposures that have ended since last asked. Which ones are dropped (CameraOptions::dropped_1)
+  // depends on the seed, the camera and `seq` alone.
   std::vector<Exposure> TakeExposures();
 
   int baud(DeviceId device) const;
@@ -94,6 +95,7 @@ class SimulatedRobot {
     double focal_px;
     int64_t made_period_steps;
     double made_exposure_s;
+    double dropped_1;
     double asked_exposure_s;  // of the frame after the next
     double next_exposure_s;   // of the next one
     int64_t exposure_steps;   // of this one

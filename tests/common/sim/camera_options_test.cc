@@ -19,6 +19,10 @@ TEST(RendererOptionsTest, NamesTheCameraAndTheRuleThatIsBroken) {
   options.floor.gamma_1 = 0.5;
   EXPECT_THAT(Validate(options).message(), AllOf(HasSubstr("floor_camera"), HasSubstr("gamma_1")));
   options = RendererOptions();
+  options.color.dropped_1 = 1.5;
+  EXPECT_THAT(Validate(options).message(),
+              AllOf(HasSubstr("color_camera"), HasSubstr("dropped_1")));
+  options = RendererOptions();
   options.lasers.divergence_m = 0.0;
   EXPECT_THAT(Validate(options).message(), HasSubstr("divergence_m"));
   options = RendererOptions();

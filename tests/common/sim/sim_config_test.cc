@@ -23,12 +23,15 @@ TEST(SimConfigTest, TheProductsFileSaysTheDefaults) {
 
 TEST(SimConfigTest, WhatIsGivenIsTaken) {
   const Result<SimOptions> options = ParseSimOptions(
-      "mounting: {laser_deg: 0.5}\nstripe_camera: {rate_hz: 20, exposure_us: 5000}\n"
+      "mounting: {laser_deg: 0.5}\nstripe_camera: {rate_hz: 20, exposure_us: 5000, dropped_1: "
+      "0.02}\n"
       "odometry: {turn_scale_1: 1.02}\nline_faults: {ptu: \"drop_1=0.25\"}\n",
       "sim.yaml");
   ASSERT_TRUE(options.ok()) << options.message();
   EXPECT_NEAR(options->renderer.mounting.laser_rad, RadiansFromDegrees(0.5), 1e-12);
   EXPECT_DOUBLE_EQ(options->renderer.stripe.rate_hz, 20.0);
+  EXPECT_DOUBLE_EQ(options->renderer.stripe.dropped_1, 0.02);
+  EXPECT_DOUBLE_EQ(options->renderer.floor.dropped_1, 0.0);
   EXPECT_DOUBLE_EQ(options->base.drive.odometry_turn_scale_1, 1.02);
   EXPECT_DOUBLE_EQ(options->ptu_faults.drop_1, 0.25);
 }
@@ -38,6 +41,8 @@ TEST(SimConfigTest, RefusesWithFileLineAndReason) {
               AllOf(HasSubstr("sim.yaml:1"), HasSubstr("crest")));
   EXPECT_THAT(ParseSimOptions("stripe_camera: {exposure_us: 95000}\n", "sim.yaml").message(),
               HasSubstr("exposure_us"));
+  EXPECT_THAT(ParseSimOptions("floor_camera: {dropped_1: -0.1}\n", "sim.yaml").message(),
+              AllOf(HasSubstr("floor_camera"), HasSubstr("dropped_1")));
   EXPECT_THAT(ParseSimOptions("line_faults: {base: \"drops=1\"}\n", "sim.yaml").message(),
               HasSubstr("base"));
 }

@@ -12,9 +12,10 @@
 namespace geon::sim {
 namespace {
 
-std::unique_ptr<SimulatedRobot> MakeRobot(uint64_t seed = 1) {
+std::unique_ptr<SimulatedRobot> MakeRobot(uint64_t seed = 1, double dropped_1 = 0.0) {
   SimOptions options;
   options.renderer = WithoutMountingErrors();
+  options.renderer.stripe.dropped_1 = dropped_1;
   auto robot = SimulatedRobot::Create(
       WorldFrom("  - {geon: cuboid, size_m: [0.2, 0.2, 0.2], x_m: 1.5, y_m: 2.0}\n"), TestRig(),
       options, seed);
@@ -55,6 +56,31 @@ TEST(SimulatedRobotTest, CamerasRunAtTheirRatesWithoutGaps) {
       EXPECT_NEAR(bw[k].start_s - bw[k - 1].start_s, 1.0 / 30.0, 0.001);
     }
   }
+}
+
+TEST(SimulatedRobotTest, DroppedFramesNeverArriveAndAreTheSameForTheSameSeed) {
+  constexpr double kDropped_1 = 0.2;
+  const auto whole = MakeRobot(1), leaky = MakeRobot(1, kDropped_1),
+             again = MakeRobot(1, kDropped_1);
+  whole->Advance(20.0);
+  leaky->Advance(20.0);
+  for (int k = 1; k <= 200; ++k) again->Advance(0.1 * k);
+  const auto all = whole->TakeExposures(), some = leaky->TakeExposures();
+  EXPECT_EQ(Of(CameraId::kHeadColor, some).size(), 100u) << "the other cameras lose none";
+  const auto bw = Of(CameraId::kHeadBw, some), same = Of(CameraId::kHeadBw, again->TakeExposures());
+  EXPECT_NEAR(static_cast<double>(bw.size()), (1.0 - kDropped_1) * 600.0, 30.0);
+  ASSERT_EQ(bw.size(), same.size());
+  const auto complete = Of(CameraId::kHeadBw, all);
+  for (size_t k = 0; k < bw.size(); ++k) {
+    EXPECT_EQ(bw[k].seq, same[k].seq);
+    // Those that arrive keep their number and their time.
+    EXPECT_EQ(bw[k].start_s, complete.at(static_cast<size_t>(bw[k].seq - 1)).start_s);
+  }
+  const auto other = MakeRobot(2, kDropped_1);
+  other->Advance(20.0);
+  const auto of_other = Of(CameraId::kHeadBw, other->TakeExposures());
+  EXPECT_FALSE(std::equal(bw.begin(), bw.end(), of_other.begin(), of_other.end(),
+                          [](const auto& a, const auto& b) { return a.seq == b.seq; }));
 }
 
 TEST(SimulatedRobotTest, ALaserSwitchedWithinAnExposureLightsPartOfIt) {

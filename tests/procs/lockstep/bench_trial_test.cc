@@ -9,8 +9,10 @@ namespace {
 
 class BenchTrialTest : public testing::Test {
  protected:
-  Result<BenchOutcome> RunTrial(const BenchTrial& trial) const {
-    return RunBenchTrial(*settings_, std::nullopt, trial);
+  Result<BenchOutcome> RunTrial(const BenchTrial& trial, double dropped_1 = 0.0) const {
+    LockstepSettings settings = *settings_;
+    settings.sim.renderer.color.dropped_1 = settings.sim.renderer.stripe.dropped_1 = dropped_1;
+    return RunBenchTrial(settings, std::nullopt, trial);
   }
   BenchTrial Cylinder(double range_m) const {
     BenchTrial trial;
@@ -53,6 +55,15 @@ TEST_F(BenchTrialTest, StripesLieAtTheirQuartersNearAndFar) {
     ASSERT_EQ(outcome->misplaced_1.size(), 6U) << outcome->end;
     for (const double misplaced_1 : outcome->misplaced_1) EXPECT_LT(std::abs(misplaced_1), 0.03);
   }
+}
+
+TEST_F(BenchTrialTest, OneFrameInFiveThatIsLostCostsTimeOnly) {
+  const auto whole = RunTrial(Cylinder(1.3)), leaky = RunTrial(Cylinder(1.3), 0.2);
+  ASSERT_TRUE(whole.ok() && leaky.ok()) << leaky.message();
+  ASSERT_TRUE(leaky->verdict.has_value()) << leaky->end;
+  EXPECT_EQ(leaky->verdict->label, GeonLabel::kCylinder);
+  EXPECT_EQ(leaky->scan.profiles.size(), 6U);
+  EXPECT_GT(leaky->end_s, whole->end_s);
 }
 
 TEST_F(BenchTrialTest, AMeshThatIsNotThereIsAnError) {

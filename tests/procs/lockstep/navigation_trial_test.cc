@@ -58,6 +58,15 @@ TEST_F(NavigationTrialTest, WithPerfectOrWithDegradedSensorsItIsReachedToo) {
   }
 }
 
+TEST_F(NavigationTrialTest, FramesThatNeverArriveShowNothingByGlancesEither) {
+  LockstepSettings settings = Settings(SensorQuality::kReal, mission::PlannerKind::kMap);
+  const sim::World pen = sim::RandomPen(5, sim::PenKind::kBoxes);
+  const auto sight_s = [&] { return RunNavigationTrial(settings, pen, 5, 20.0)->first_sight_s; };
+  EXPECT_TRUE(sight_s().has_value());
+  settings.sim.renderer.color.dropped_1 = settings.sim.renderer.floor.dropped_1 = 1.0;
+  EXPECT_FALSE(sight_s().has_value());
+}
+
 TEST_F(NavigationTrialTest, TheSameSeedGivesTheSamePath) {
   const LockstepSettings settings = Settings(SensorQuality::kReal, mission::PlannerKind::kMap);
   const NavigationOutcome once = Run(settings, sim::PenKind::kGap, 8);
