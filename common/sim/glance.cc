@@ -6,6 +6,7 @@
 
 #include "base/geon_label.h"
 #include "sim/hash_noise.h"
+#include "sim/lamp_mirror.h"
 #include "sim/noise_source.h"
 
 namespace geon::sim {
@@ -54,13 +55,15 @@ Glancer::Glancer(std::shared_ptr<const Scene> scene, const BuiltRig& rig,
   }
 }
 
-bool Glancer::InGlare(const Sighting& sighting, const Eigen::Vector3d& p_WC_m) const {
-  if (!options_.glare) return false;
-  // A mirror: angles of incidence and reflection are equal.
-  const Eigen::Vector3d& lamp_W_m = scene_->lighting().lamp_W_m;
-  const double share_1 = p_WC_m.z() / (p_WC_m.z() + lamp_W_m.z());
-  const Eigen::Vector2d spot_W_m = p_WC_m.head<2>() + share_1 * (lamp_W_m - p_WC_m).head<2>();
-  return (sighting.p_W_m.head<2>().cast<double>() - spot_W_m).norm() < options_.glare_radius_m;
+bool Glancer::InGlare(const Sighting& sighting, const Eigen::Vector3f& eye_W_m) const {
+  if (floor_body_ < 0) return false;
+  constexpr float kSeen_1 = 0.1F;  // of white: enough to be of another colour than the floor
+  const float mirror_1 = scene_->bodies()[static_cast<size_t>(floor_body_)].material.mirror_1;
+  const Eigen::Vector3f lamp_W_m = scene_->lighting().lamp_W_m.cast<float>();
+  if (mirror_1 * MirroredLamp_1(sighting.p_W_m, eye_W_m, lamp_W_m) < kSeen_1) return false;
+  uint8_t lit = 0;
+  scene_->Illuminate(lamp_W_m, {&sighting.p_W_m, 1}, {&lit, 1});
+  return lit != 0;
 }
 
 Glancer::GroundPlace Glancer::PlaceAt(int direction, double share_1) const {
@@ -88,7 +91,7 @@ std::vector<GroundGlance> Glancer::Floor(const RigPose& pose, int64_t seq) {
     scene_->Look(X_WC.translation().cast<float>(), directions_, sightings_);
   };
   const auto is_floor = [&](const Sighting& sighting) {
-    return sighting.body == floor_body_ && !InGlare(sighting, X_WC.translation());
+    return sighting.body == floor_body_ && !InGlare(sighting, X_WC.translation().cast<float>());
   };
   directions_.clear();
   for (const GroundSteps& steps : ground_) {

@@ -16,9 +16,6 @@ namespace geon::sim {
 // What spoils a glance.
 struct GlanceOptions {
   double edge_sigma_px = 0.7;  // of every edge that is told
-  // The ceiling lamp's reflection on the floor, which is then not of the floor's colour.
-  bool glare = false;
-  double glare_radius_m = 0.12;
   double floor_range_m = 3.0;
 };
 
@@ -40,8 +37,9 @@ struct GeonGlance {
 };
 
 // What the cameras of one individual robot would show, told by some hundred rays instead of a
-// rendered picture: for experiments that are about driving. Colours, light and exposure have no
-// part in it. The same seed and `seq` give the same noise.
+// rendered picture: for experiments that are about driving. Of colours, light and exposure only the
+// lamp's image in a polished floor has a part in it, which is not of the floor's colour. The same
+// seed and `seq` give the same noise.
 class Glancer {
  public:
   Glancer(std::shared_ptr<const Scene> scene, const BuiltRig& rig, const GlanceOptions& options,
@@ -71,7 +69,7 @@ class Glancer {
                                  uint64_t noise_seed);
   std::optional<GeonGlance> OneGeon(int body, const BuiltCamera& camera,
                                     const geometry::RigidTransform& X_WC, NoiseSource* noise);
-  bool InGlare(const Sighting& sighting, const Eigen::Vector3d& p_WC_m) const;
+  bool InGlare(const Sighting& sighting, const Eigen::Vector3f& eye_W_m) const;
 
   std::shared_ptr<const Scene> scene_;
   BuiltRig rig_;

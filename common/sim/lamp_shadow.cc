@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/lighting.h"
+
 namespace geon::sim {
 namespace {
 
@@ -15,10 +17,11 @@ constexpr float kGrazingCosine = 0.02F;  // flatter light may meet the facet its
 
 LampShadow::LampShadow(const Scene& scene, const Vector3f& lamp_W_m)
     : scene_(scene), lamp_W_m_(lamp_W_m) {
-  constexpr float kHalfX_m = 0.15F, kHalfY_m = 0.4F;
+  constexpr auto kQuarterX_m = static_cast<float>(0.25 * kLampPanel_m[0]);
+  constexpr auto kQuarterY_m = static_cast<float>(0.25 * kLampPanel_m[1]);
   for (size_t k = 0; k < 4; ++k) {
-    quarters_W_m_[k] = lamp_W_m + Vector3f(k % 2 == 0 ? -kHalfX_m : kHalfX_m,
-                                           k / 2 == 0 ? -kHalfY_m : kHalfY_m, 0);
+    quarters_W_m_[k] = lamp_W_m + Vector3f(k % 2 == 0 ? -kQuarterX_m : kQuarterX_m,
+                                           k / 2 == 0 ? -kQuarterY_m : kQuarterY_m, 0);
   }
 }
 

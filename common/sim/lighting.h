@@ -4,6 +4,9 @@
 
 namespace geon::sim {
 
+// Sides of the ceiling lamp, along x and y of W.
+inline constexpr double kLampPanel_m[2] = {0.6, 1.6};
+
 // The light of the room: a ceiling lamp with its diffuse reflection from the walls, and the sun.
 struct Lighting {
   struct Sun {

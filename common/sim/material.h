@@ -12,7 +12,8 @@ struct Material {
   Eigen::Vector3f color_1 =
       Eigen::Vector3f::Constant(0.5F);  // diffuse reflectance, linear red green blue
   float laser_reflectance_1 = 0.5F;     // at the lasers' 670 nm
-  float gloss_1 = 0.04F;                // share of the lamp that is mirrored
+  float gloss_1 = 0.04F;                // share of the lamp that is mirrored, spread as by paint
+  float mirror_1 = 0.0F;                // of a level surface: share that is mirrored sharply
   float tile_m = 0.0F;                  // side of drawn floor tiles; 0: plain
   std::optional<Checks> checks;
 };

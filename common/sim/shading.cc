@@ -6,6 +6,7 @@
 #include <span>
 
 #include "sim/floor_tiles.h"
+#include "sim/lamp_mirror.h"
 #include "sim/lamp_shadow.h"
 #include "sim/pixel_footprint.h"
 #include "sim/surface_row.h"
@@ -133,6 +134,17 @@ void Mix(const SurfaceRow::Run& run, const Material& material, const Lights& lig
   }
 }
 
+void AddMirroredLamp(const SurfaceRow& row, const SurfaceRow::Run& run, float mirror_1,
+                     const Lights& lights, const Vector3f& eye,
+                     const std::vector<float>& lamp_visible_1, Colors colors, float* out) {
+  for (int u = run.begin; u < run.end; ++u) {
+    const float share_1 = mirror_1 * lamp_visible_1[static_cast<size_t>(u)] *
+                          MirroredLamp_1(row.Point(u), eye, lights.lamp_W_m);
+    float* pixel = out + static_cast<int>(colors.size()) * u;
+    for (int color : colors) *pixel++ += share_1 * lights.lamp_1[color];
+  }
+}
+
 void DrawChecks(const View& view, const SurfaceRow& row, const SurfaceRow::Run& run,
                 const Checks& checks, std::vector<float>* pattern_1) {
   const Eigen::Matrix3d R_WC = view.X_WC.linear();
@@ -168,6 +180,9 @@ void ShadeRow(const Scene& scene, const View& view, const SurfaceRow& row, const
       std::fill(light->pattern_1.begin() + run.begin, light->pattern_1.begin() + run.end, 1.0F);
     }
     Mix(run, material, lights, *light, colors, out);
+    if (material.mirror_1 > 0.0F) {
+      AddMirroredLamp(row, run, material.mirror_1, lights, eye, light->lamp_visible_1, colors, out);
+    }
   }
 }
 

@@ -52,6 +52,7 @@ struct World {
   double wall_height_m = 0.65;
   Eigen::Vector3d floor_color_rgb = Eigen::Vector3d(150, 150, 140);
   double floor_tile_m = 0.6;
+  double floor_gloss_1 = 0.0;    // share of the lamp's light that the floor mirrors; 0: matt
   double groove_tilt_rad = 0.0;  // how far the robot tilts with one wheel in a groove between tiles
   double robot_x_m = 0.5;
   double robot_y_m = 0.5;

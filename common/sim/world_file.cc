@@ -33,6 +33,9 @@ void ReadFloor(YamlSection floor, World* world) {
   ReadColor(&floor, "color_rgb", &world->floor_color_rgb);
   floor.ReadOptional("tile_m", &world->floor_tile_m);
   floor.Check(world->floor_tile_m >= 0.1, "tile_m", "must be at least 0.1 m");
+  floor.ReadOptional("gloss", &world->floor_gloss_1);
+  floor.Check(world->floor_gloss_1 >= 0.0 && world->floor_gloss_1 <= 1.0, "gloss",
+              "must be from 0 to 1");
   floor.ReadOptionalAngle("groove_tilt_deg", &world->groove_tilt_rad);
   floor.Check(world->groove_tilt_rad >= 0.0 && world->groove_tilt_rad <= RadiansFromDegrees(10.0),
               "groove_tilt_deg", "must be from 0 to 10 degrees");

@@ -52,6 +52,7 @@ Body FloorBody(const World& world) {
   floor.surface_W.triangles = {{0, 1, 2}, {0, 2, 3}};
   floor.material = Paint(world.floor_color_rgb);
   floor.material.tile_m = static_cast<float>(world.floor_tile_m);
+  floor.material.mirror_1 = static_cast<float>(world.floor_gloss_1);
   return floor;
 }
 

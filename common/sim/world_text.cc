@@ -58,7 +58,7 @@ std::string WorldText(const World& world) {
   text << "pen: {size_m: " << List(world.pen_size_m, Metres)
        << ", wall_height_m: " << Metres(world.wall_height_m) << "}\n"
        << "floor: {color_rgb: " << List(world.floor_color_rgb, Plain)
-       << ", tile_m: " << Metres(world.floor_tile_m)
+       << ", tile_m: " << Metres(world.floor_tile_m) << ", gloss: " << Plain(world.floor_gloss_1)
        << ", groove_tilt_deg: " << Degrees(world.groove_tilt_rad) << "}\n"
        << "robot: {x_m: " << Metres(world.robot_x_m) << ", y_m: " << Metres(world.robot_y_m)
        << ", heading_deg: " << Degrees(world.robot_heading_rad) << "}\n"

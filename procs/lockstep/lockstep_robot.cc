@@ -1,5 +1,6 @@
 #include "procs/lockstep/lockstep_robot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -37,7 +38,9 @@ Result<std::unique_ptr<LockstepRobot>> LockstepRobot::Create(
     const LockstepSettings& settings,
     const std::optional<recognizer::StripeCalibration>& calibration, const sim::World& world,
     uint64_t seed) {
-  auto simulated = sim::SimulatedRobot::Create(world, settings.drawn_rig, settings.sim, seed);
+  sim::World polished = world;
+  polished.floor_gloss_1 = std::max(world.floor_gloss_1, settings.least_floor_gloss_1);
+  auto simulated = sim::SimulatedRobot::Create(polished, settings.drawn_rig, settings.sim, seed);
   if (!simulated.ok()) return simulated.status();
   return std::unique_ptr<LockstepRobot>(
       new LockstepRobot(settings, calibration, std::move(*simulated)));

@@ -33,6 +33,7 @@ struct LockstepSettings {
   sim::SimOptions sim;
   Sensing sensing = Sensing::kPictures;
   sim::GlanceOptions glances;
+  double least_floor_gloss_1 = 0.0;  // of a floor that the world has duller
   // From the end of an exposure until the frame is with its daemon: read-out and transport.
   double frame_delay_s = 0.03;
 };

@@ -84,7 +84,7 @@ LockstepSettings ForNavigation(LockstepSettings settings, SensorQuality quality)
     base.sonar.specular_probability_1 = kOften_1;
     base.sonar.crosstalk_probability_1 = 0.02;
     base.drive.odometry_distance_scale_1 = base.drive.odometry_turn_scale_1 = 1.02;
-    settings.glances.glare = true;
+    settings.least_floor_gloss_1 = 0.05;  // a varnish met squarely
   }
   return settings;
 }

@@ -225,22 +225,34 @@ TEST_F(GlancerTest, AllRoundLooksNoFartherThanAskedAndOverWhatIsLower) {
   }
 }
 
-TEST_F(GlancerTest, GlareIsToldWhereTheLampIsMirrored) {
+TEST_F(GlancerTest, APolishedFloorGlaresWhereThePictureShowsTheLamp) {
   world_.lighting.lamp_W_m = {5.0, 6.0, 2.8};
-  // The straight line from the eye to the lamp's picture below the floor.
-  const Eigen::Vector3d& eye_m = X_WF().translation();
-  const Eigen::Vector3d below_m = world_.lighting.lamp_W_m.cwiseProduct(Eigen::Vector3d(1, 1, -1));
-  const Vector2d spot_m =
-      (eye_m + (below_m - eye_m) * (eye_m.z() / (eye_m.z() - below_m.z()))).head<2>();
-  GlanceOptions glare = exact_;
-  glare.glare = true;
-  int obstacles = 0;
-  for (const GroundGlance& glance : Made(glare).Floor(pose_, 1)) {
+  for (const GroundGlance& glance : Made(exact_).Floor(pose_, 1)) EXPECT_FALSE(glance.obstacle);
+  world_.floor_gloss_1 = 0.05;
+  RendererOptions options = WithoutMountingErrors();
+  options.floor.full_well_e = 1e12;  // no noise
+  options.floor.read_noise_e = 0.0;
+  const Frame picture = RigRenderer(scene(), TestRig(), options, 1).FloorColor(pose_, 1);
+  const auto green = [&](const Vector2d& pixel_px) {
+    const auto u = std::lround(pixel_px.x()), v = std::lround(pixel_px.y());
+    return int{picture.pixels.at(static_cast<size_t>(3 * (v * picture.width_px + u) + 1))};
+  };
+  int glares = 0;
+  for (const GroundGlance& glance : Made(exact_).Floor(pose_, 1)) {
     if (!glance.obstacle) continue;
-    ++obstacles;
-    EXPECT_LT((OnFloor(glance.end_px) - spot_m).norm(), glare.glare_radius_m + 0.02);
+    ++glares;
+    const Vector2d onward_px = (glance.end_px - glance.begin_px).normalized();
+    EXPECT_GT(green(glance.end_px + 4.0 * onward_px), green(glance.end_px - 4.0 * onward_px) + 30);
   }
-  EXPECT_GE(obstacles, 3);
+  EXPECT_GE(glares, 3);
+}
+
+TEST_F(GlancerTest, WhatStandsBelowTheLampHidesItFromTheFloor) {
+  world_.lighting.lamp_W_m = {5.0, 6.0, 2.8};
+  world_.floor_gloss_1 = 0.05;
+  WorldObject board = Box({5.0, 6.0}, {2.4, 2.4, 0.02});
+  board.z_m = 2.6;
+  world_.objects.push_back(board);
   for (const GroundGlance& glance : Made(exact_).Floor(pose_, 1)) EXPECT_FALSE(glance.obstacle);
 }
 

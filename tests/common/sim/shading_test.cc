@@ -40,6 +40,28 @@ TEST(ShadingTest, GroovesAreDarkAndTilesAreNot) {
   EXPECT_LT(groove, 0.93F * tile);
 }
 
+TEST(ShadingTest, APolishedFloorShowsTheLampAndNothingElseChanges) {
+  World world = WorldFrom("");
+  const View matt_view = LookDown(**BuildScene(world), 1.5, 2.25);
+  const auto matt = Shaded(**BuildScene(world), matt_view, LampShadows::kSoft);
+  world.floor_gloss_1 = 0.05;
+  const auto scene = *BuildScene(world);
+  const View view =
+      LookDown(*scene, 1.5, 2.25);  // right below the lamp: its image is in the middle
+  const auto polished = Shaded(*scene, view, LampShadows::kSoft);
+  // 0.6 of the light is the lamp's; the panel is pi h^2 / A as bright as white below it.
+  const float lamp = 0.6F * 0.05F * static_cast<float>(kPi * 2.8 * 2.8 / (0.6 * 1.6));
+  const Eigen::Vector3f gained = Pixel(polished, 32, 24) - Pixel(matt, 32, 24);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(gained[c], lamp, 0.01F);
+  for (const auto& [u, v] : {std::pair{2, 24}, {60, 24}, {32, 2}, {32, 45}}) {
+    EXPECT_EQ(Pixel(polished, u, v), Pixel(matt, u, v));
+  }
+  world.objects = WorldFrom("  - {box: [1.2, 2.4, 0.02], x_m: 1.5, y_m: 2.25, z_m: 2.6}\n").objects;
+  const auto shadowed = *BuildScene(world);
+  const auto hidden = Shaded(*shadowed, LookDown(*shadowed, 1.5, 2.25), LampShadows::kSoft);
+  EXPECT_LT(Pixel(hidden, 32, 24).y(), Pixel(matt, 32, 24).y()) << "a board below the lamp";
+}
+
 TEST(ShadingTest, SunAddsItsLightWhereItShines) {
   const World dark = WorldFrom("", "{kelvin: 4000, level: 0.0}");
   const World sunny =

@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 
 // The example of the contract, whole.
 constexpr const char* kContractWorld = R"(pen: {size_m: [3.0, 4.5], wall_height_m: 0.65}
-floor: {color_rgb: [150, 150, 140], tile_m: 0.6, groove_tilt_deg: 0.0}
+floor: {color_rgb: [150, 150, 140], tile_m: 0.6, gloss: 0.05, groove_tilt_deg: 0.0}
 robot: {x_m: 0.5, y_m: 0.5, heading_deg: 90}
 light: {kelvin: 4000, level: 1.0, sun: {level: 0.0, azimuth_deg: 0, elevation_deg: 45}}
 objects:
@@ -45,6 +45,7 @@ TEST(WorldFileTest, ReadsTheContractsExample) {
   EXPECT_EQ(TrueLabel(world->objects[2]), std::nullopt);
   EXPECT_DOUBLE_EQ(std::get<CylinderShape>(world->objects[3].shape).radius_m, 0.075);
   EXPECT_NEAR(world->robot_heading_rad, kPi / 2, 1e-12);
+  EXPECT_DOUBLE_EQ(world->floor_gloss_1, 0.05);
 }
 
 TEST(WorldFileTest, WhatIsLeftOutKeepsItsDefault) {
@@ -57,6 +58,7 @@ TEST(WorldFileTest, WhatIsLeftOutKeepsItsDefault) {
   EXPECT_EQ(geon.position, 1);
   EXPECT_EQ(world->objects[0].color_rgb, Eigen::Vector3d(150, 40, 40));
   EXPECT_DOUBLE_EQ(world->lighting.kelvin, 4000.0);
+  EXPECT_DOUBLE_EQ(world->floor_gloss_1, 0.0);
 }
 
 TEST(WorldFileTest, WhatStandsOnABoxStandsOnItsTop) {
@@ -93,6 +95,8 @@ TEST(WorldFileTest, RefusesWithFileLineAndReason) {
   EXPECT_THAT(Refusal("pen: {size_m: [3.0, 4.5]}\nrobot: {x_m: 0.1, y_m: 0.5}\n"),
               AllOf(HasSubstr("w.yaml:2"), HasSubstr("0.267")));
   EXPECT_THAT(Refusal("robot: {x_m: 0.5, y_m: 0.5}\n"), HasSubstr("pen"));
+  EXPECT_THAT(Refusal("pen: {size_m: [3, 4.5]}\nfloor: {gloss: 5}\nrobot: {x_m: 0.5, y_m: 0.5}\n"),
+              AllOf(HasSubstr("w.yaml:2"), HasSubstr("gloss"), HasSubstr("from 0 to 1")));
 }
 
 TEST(WorldFileTest, ReportsEveryMistakeAtOnce) {

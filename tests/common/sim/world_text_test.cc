@@ -24,10 +24,12 @@ TEST(WorldTextTest, WhatIsWrittenReadsBackTheSame) {
                            0.5,
                            {235, 235, 235},
                            {}});
+  world.floor_gloss_1 = 0.035;
   const std::string text = WorldText(world);
   const Result<World> read = ParseWorld(text, "w.yaml", "");
   ASSERT_TRUE(read.ok()) << read.message() << "\n" << text;
   EXPECT_EQ(WorldText(*read), text);
+  EXPECT_DOUBLE_EQ(read->floor_gloss_1, 0.035);
   ASSERT_EQ(read->objects.size(), world.objects.size());
   for (size_t k = 0; k < world.objects.size(); ++k) {
     EXPECT_NEAR(read->objects[k].x_m, world.objects[k].x_m, 1e-9);
