@@ -1,17 +1,27 @@
 #include "geometry/convex_polygon.h"
 
+#include <algorithm>
+
 #include "base/contracts.h"
 
 namespace geon::geometry {
 
 namespace {
 
-// A vertex this near to a cutting line lies on it: keeps segments and points, which have no area,
-// from being lost to rounding.
-constexpr double kOnLine_m = 1e-9;
+// A line that cuts off no more than this adds no side; nor does one so nearly parallel to its
+// neighbour (as a sine) that they have no corner to speak of.
+constexpr double kNothing_m = 1e-9;
+constexpr double kParallel_1 = 1e-9;
 
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
+}
+
+// Where two lines meet.
+Eigen::Vector2d Corner(const HalfPlane& a, const HalfPlane& b) {
+  return Eigen::Vector2d(a.offset_m * b.normal.y() - b.offset_m * a.normal.y(),
+                         b.offset_m * a.normal.x() - a.offset_m * b.normal.x()) /
+         Cross(a.normal, b.normal);
 }
 
 }  // namespace
@@ -27,43 +37,45 @@ ConvexPolygon ConvexPolygon::Box(double half_x_m, double half_y_m) {
   return box;
 }
 
-void ConvexPolygon::Clip(const HalfPlane& half_plane) {
-  std::array<Eigen::Vector2d, kMaxVertices> kept;
-  int count = 0;
-  const auto keep = [&](const Eigen::Vector2d& p_m) {
-    Require(count < kMaxVertices, "ConvexPolygon::Clip: more than 64 vertices");
-    kept[static_cast<size_t>(count++)] = p_m;
+ConvexPolygon ConvexPolygon::Intersection(std::span<const HalfPlane> by_bearing) {
+  Require(by_bearing.size() >= 3 && by_bearing.size() <= kMaxVertices,
+          "ConvexPolygon::Intersection: 3 to 64 half-planes");
+  // The nearest line has a side for sure: the foot of its perpendicular is inside all the others.
+  const auto nearest = std::min_element(
+      by_bearing.begin(), by_bearing.end(),
+      [](const HalfPlane& a, const HalfPlane& b) { return a.offset_m < b.offset_m; });
+  Require(nearest->offset_m > 0.0, "ConvexPolygon::Intersection: the origin must lie inside");
+  ConvexPolygon polygon;
+  std::array<const HalfPlane*, kMaxVertices> sides{&*nearest};
+  size_t last = 0;  // side; vertex k lies between the sides k and k + 1
+  const auto drop_sides_beyond = [&](const HalfPlane& line) {
+    while (last > 0 && line.Depth(polygon.vertices_[last - 1]) <= kNothing_m) --last;
   };
-  for (int i = 0; i < size_; ++i) {
-    const Eigen::Vector2d& a_m = vertices_[static_cast<size_t>(i)];
-    const Eigen::Vector2d& b_m = vertices_[static_cast<size_t>((i + 1) % size_)];
-    const double depth_a_m = half_plane.Depth(a_m);
-    const double depth_b_m = half_plane.Depth(b_m);
-    if (depth_a_m >= -kOnLine_m) keep(a_m);
-    if ((depth_a_m > kOnLine_m && depth_b_m < -kOnLine_m) ||
-        (depth_a_m < -kOnLine_m && depth_b_m > kOnLine_m)) {
-      keep(a_m + (b_m - a_m) * (depth_a_m / (depth_a_m - depth_b_m)));
+  const auto add = [&](const HalfPlane& line) {
+    drop_sides_beyond(line);
+    if (Cross(sides[last]->normal, line.normal) <= kParallel_1 &&
+        line.offset_m >= sides[last]->offset_m) {
+      return;
     }
-  }
-  for (int i = 0; i < count; ++i) vertices_[static_cast<size_t>(i)] = kept[static_cast<size_t>(i)];
-  size_ = count;
+    polygon.vertices_[last] = Corner(*sides[last], line);
+    sides[++last] = &line;
+  };
+  std::for_each(nearest + 1, by_bearing.end(), add);
+  std::for_each(by_bearing.begin(), nearest, add);
+  drop_sides_beyond(*nearest);
+  polygon.vertices_[last] = Corner(*sides[last], *nearest);
+  polygon.size_ = static_cast<int>(last) + 1;
+  return polygon;
 }
 
 bool ConvexPolygon::Contains(const Eigen::Vector2d& p_m, double tolerance_m) const {
-  if (size_ == 0) return false;
   for (int i = 0; i < size_; ++i) {
     const Eigen::Vector2d& a_m = vertices_[static_cast<size_t>(i)];
     const Eigen::Vector2d edge_m = vertices_[static_cast<size_t>((i + 1) % size_)] - a_m;
     // Left of every edge; an edge shorter than the tolerance has no direction worth asking.
     if (Cross(edge_m, p_m - a_m) < -tolerance_m * edge_m.norm()) return false;
   }
-  // A polygon without area has no inside to be left of.
-  if (size_ < 3) {
-    const Eigen::Vector2d& a_m = vertices_[0];
-    const Eigen::Vector2d& b_m = vertices_[static_cast<size_t>(size_ - 1)];
-    return (p_m - a_m).norm() + (p_m - b_m).norm() <= (b_m - a_m).norm() + 2.0 * tolerance_m;
-  }
-  return true;
+  return size_ > 0;
 }
 
 }  // namespace geon::geometry

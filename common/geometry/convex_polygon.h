@@ -16,7 +16,7 @@ struct HalfPlane {
 };
 
 // A convex polygon, vertices counter-clockwise, at most kMaxVertices of them; held in place, so
-// that cutting it allocates nothing. It may degenerate (a segment, a point) and may become empty.
+// that making one allocates nothing.
 class ConvexPolygon {
  public:
   static constexpr int kMaxVertices = 64;
@@ -24,9 +24,14 @@ class ConvexPolygon {
   // The box [-half_x_m, half_x_m] x [-half_y_m, half_y_m].
   static ConvexPolygon Box(double half_x_m, double half_y_m);
 
-  // Keeps the part inside `half_plane` (Sutherland-Hodgman on a convex polygon: one vertex more at
-  // most).
-  void Clip(const HalfPlane& half_plane);
+  // The intersection of at most kMaxVertices half-planes that all hold the origin inside
+  // (offset_m > 0). They come in the order of their normals' bearings, which turn once around
+  // counter-clockwise, each by less than half a turn; so the intersection is bounded.
+  //
+  // Source: Graham's scan (1972) on the dual points normal / offset_m, whose convex hull's corners
+  // are the lines that bound the intersection: from the nearest line once around, a line is dropped
+  // when it lies beyond the corner of its neighbours. In proportion to their number.
+  static ConvexPolygon Intersection(std::span<const HalfPlane> by_bearing);
 
   bool empty() const { return size_ == 0; }
   std::span<const Eigen::Vector2d> vertices() const {

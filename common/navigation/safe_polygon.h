@@ -28,13 +28,14 @@ struct SafePolygonOptions {
 // polygon is the intersection of the admissible sides and the default bounding box.
 //
 // Deviations: the thesis does not say what one obstacle is when sensors deliver points. Here the
-// nearest point starts an obstacle, every point behind its line belongs to it, and so on with the
-// rest. An obstacle nearer than the clearance gets its line through the robot: only ways out
-// remain.
+// nearest point starts an obstacle, every point behind its line (less the slack) belongs to it, and
+// so on with the rest. An obstacle nearer than the clearance gets its line through the robot (a
+// micrometre before its middle): only ways out remain. To it belongs what is as far as the
+// clearance behind that line (less the slack), and in its own direction what is nearer.
 //
 // Points and polygon are in R (x forward, y left). `obstacles_R_m` is reordered; nothing is
-// allocated. The polygon is convex, contains the origin, and keeps every point at least clearance -
-// slack away (points nearer than the clearance: outside or on the border).
+// allocated. The polygon is convex, holds the origin inside, and keeps every point at least
+// clearance - slack away (points nearer than the clearance: outside).
 geometry::ConvexPolygon SafePolygon(std::span<Eigen::Vector2d> obstacles_R_m,
                                     const SafePolygonOptions& options);
 
