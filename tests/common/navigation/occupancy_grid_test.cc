@@ -335,5 +335,21 @@ TEST(OccupancyGridTest, RefusesOptionsThatCannotWork) {
   }
 }
 
+TEST(OccupancyGridTest, AWindowHoldsAllThatIsKnownAndThePlacesWithTheirMargin) {
+  OccupancyGrid grid{OccupancyGridOptions()};
+  const std::vector<Vector2d> places_m = {{0.52, -0.31}, {1.22, 0.4}};
+  const GridWindow around = grid.WindowWith(places_m, 0.5);
+  EXPECT_EQ(around.first, grid.CellAt({0.02, -0.81}));
+  EXPECT_EQ(around.last, grid.CellAt({1.72, 0.9}));
+  grid.Feel(0.0, kStart, std::vector<Vector2d>{{-3.02, 0.02}, {1.0, 2.52}});
+  const GridWindow whole = grid.WindowWith(places_m, 0.5);
+  EXPECT_EQ(whole.first, grid.CellAt({-3.02, -0.81}));
+  EXPECT_EQ(whole.last, grid.CellAt({1.72, 2.52}));
+  const GridWindow one =
+      OccupancyGrid{OccupancyGridOptions()}.WindowWith(std::vector<Vector2d>{{-2.0, 3.0}}, 0.0);
+  EXPECT_EQ(one.size(), 1U) << "the origin is not known of";
+  EXPECT_THROW(grid.WindowWith({}, 1.0), ContractViolation);
+}
+
 }  // namespace
 }  // namespace geon::navigation

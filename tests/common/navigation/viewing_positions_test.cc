@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/angles.h"
 #include "tests/common/navigation/map_world.h"
 
 namespace geon::navigation {
@@ -84,6 +85,27 @@ TEST(ViewingPositionsTest, ObstaclesNearTheTargetAreItsOwn) {
   const Room room = LookAt({0.0, 0.0}, desk_m);
   EXPECT_TRUE(std::any_of(room.goals.begin(), room.goals.end(),
                           [](const CostToGo::Goal& goal) { return goal.cost_m > 0.0; }));
+}
+
+TEST(ViewingPositionsTest, OfOneSideAreThoseOfTheRingThatLieThere) {
+  const Vector2d target_W_m(0.213, -0.107);
+  const Room room = LookAt(target_W_m, {});
+  const auto bearing_rad = [&](const CostToGo::Goal& goal) {
+    const Vector2d out_m = room.grid.Middle(goal.cell) - target_W_m;
+    return std::atan2(out_m.y(), out_m.x());
+  };
+  ViewingOptions options;
+  for (const double side_rad : {0.0, 1.9, kPi, -3.0}) {
+    options.side_rad = side_rad;
+    const auto of_side = ViewingPositions(room.grid, room.clearance, target_W_m, kOwn_m, options);
+    const auto lies_there = [&](const CostToGo::Goal& goal) {
+      return std::abs(WrapAngle(bearing_rad(goal) - side_rad)) <= options.side_tolerance_rad;
+    };
+    EXPECT_GT(of_side.size(), 5U);
+    EXPECT_TRUE(std::all_of(of_side.begin(), of_side.end(), lies_there));
+    EXPECT_EQ(static_cast<ptrdiff_t>(of_side.size()),
+              std::count_if(room.goals.begin(), room.goals.end(), lies_there));
+  }
 }
 
 }  // namespace
