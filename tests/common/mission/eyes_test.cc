@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include "base/contracts.h"
 #include "tests/common/mission/fake_world.h"
 
@@ -23,6 +27,26 @@ sensor::Image Plain(int width_px, int height_px, uint8_t blue, uint8_t green, ui
   return image;
 }
 
+constexpr int kWide_px = 160, kHigh_px = 120;
+
+// On grey, red squares of this half width with these middles.
+sensor::Image RedSquares(const std::vector<std::pair<Eigen::Vector2d, int>>& squares) {
+  sensor::Image image = Plain(kWide_px, kHigh_px, 150, 150, 140);
+  for (const auto& [middle_px, half_px] : squares) {
+    for (int v = -half_px; v <= half_px; ++v) {
+      for (int u = -half_px; u <= half_px; ++u) {
+        const int x_px = static_cast<int>(std::lround(middle_px.x())) + u;
+        const int y_px = static_cast<int>(std::lround(middle_px.y())) + v;
+        if (x_px < 0 || y_px < 0 || x_px >= kWide_px || y_px >= kHigh_px) continue;
+        uint8_t* pixel = &image.data[static_cast<size_t>(3 * (y_px * kWide_px + x_px))];
+        pixel[0] = pixel[1] = 40;
+        pixel[2] = 150;
+      }
+    }
+  }
+  return image;
+}
+
 class EyesTest : public testing::Test {
  protected:
   void Base(int64_t utime) {
@@ -37,6 +61,28 @@ class EyesTest : public testing::Test {
     ptu.status = sensor::DeviceStatus::kReady;
     history_.Add(ptu);
   }
+  // The middle of what is seen in a picture of the head, taken from the origin, looking straight
+  // on.
+  std::optional<Eigen::Vector2d> HeadSees(sensor::Image image,
+                                          std::optional<attention::TargetSighting> seen = {}) {
+    eyes_.TakeHead(std::move(image), std::move(seen));
+    Base(kNow - 10'000);
+    Ptu(kNow - 10'000);
+    Base(kNow + 100'000);
+    Ptu(kNow + 100'000);
+    const auto sighting = eyes_.LookHead(history_);
+    EXPECT_TRUE(sighting.has_value());
+    if (!sighting || !sighting->seen.target) return std::nullopt;
+    return sighting->seen.target->center_px;
+  }
+  // A place of the room that the head's camera shows at a pixel, so far away.
+  static Eigen::Vector3d Place(const Eigen::Vector2d& pixel_px, double away_m) {
+    const geometry::SensorRig rig = SmallRig();
+    const Eigen::Vector3d ray =
+        rig.color_camera.Ray(pixel_px.x(), pixel_px.y()).normalized() * away_m;
+    return rig.ColorCameraPose(0.0, 0.0) * ray;
+  }
+  const Eigen::Vector2d left_px_{40.0, 60.0}, right_px_{120.0, 60.0};
   PoseHistory history_;
   Eyes eyes_{FastOptions().seeing, SmallRig()};
 };
@@ -98,6 +144,84 @@ TEST_F(EyesTest, AGreyPictureIsABrokenContract) {
   gray.format = sensor::PixelFormat::kGray8;
   eyes_.TakeFloor(gray);
   EXPECT_THROW(eyes_.LookFloor(history_, true), ContractViolation);
+}
+
+TEST_F(EyesTest, WhatIsDoneWithIsNotSeenAgain) {
+  const sensor::Image two = RedSquares({{left_px_, 12}, {right_px_, 8}});
+  ASSERT_TRUE(HeadSees(two).has_value());
+  EXPECT_LT((*HeadSees(two) - left_px_).norm(), 2.0) << "the larger";
+  Focus focus;
+  focus.ignored_W_m = {Place(left_px_, 2.0)};
+  eyes_.SetFocus(focus);
+  ASSERT_TRUE(HeadSees(two).has_value());
+  EXPECT_LT((*HeadSees(two) - right_px_).norm(), 2.0);
+  focus.ignored_W_m.push_back(Place(right_px_, 3.0));
+  eyes_.SetFocus(focus);
+  EXPECT_FALSE(HeadSees(two).has_value());
+  eyes_.SetFocus({});
+  EXPECT_TRUE(HeadSees(two).has_value());
+}
+
+TEST_F(EyesTest, AnIgnoredPlaceHidesNothingBesideItNorBehindTheCamera) {
+  const sensor::Image one = RedSquares({{right_px_, 10}});
+  Focus focus;
+  focus.ignored_W_m = {Place(left_px_, 3.0)};  // 0.6 m beside
+  eyes_.SetFocus(focus);
+  EXPECT_TRUE(HeadSees(one).has_value());
+  focus.ignored_W_m = {Place(right_px_, -2.0)};
+  eyes_.SetFocus(focus);
+  EXPECT_TRUE(HeadSees(one).has_value());
+}
+
+TEST_F(EyesTest, WhatIsExpectedIsPreferredToWhatIsLargerAndElseTheLargestIsSeen) {
+  const sensor::Image two = RedSquares({{left_px_, 12}, {right_px_, 8}});
+  Focus focus;
+  focus.expected_W_m = {Place(right_px_, 4.0)};
+  eyes_.SetFocus(focus);
+  ASSERT_TRUE(HeadSees(two).has_value());
+  EXPECT_LT((*HeadSees(two) - right_px_).norm(), 2.0);
+  ASSERT_TRUE(HeadSees(RedSquares({{left_px_, 12}})).has_value()) << "it was expected wrongly";
+  focus.ignored_W_m = focus.expected_W_m;
+  eyes_.SetFocus(focus);
+  EXPECT_LT((*HeadSees(two) - left_px_).norm(), 2.0) << "done with counts more";
+}
+
+TEST_F(EyesTest, WhatSomebodyElseHasSeenIsIgnoredToo) {
+  attention::TargetSighting seen;
+  seen.width_px = kWide_px;
+  seen.height_px = kHigh_px;
+  attention::Blob blob;
+  blob.center_px = left_px_;
+  blob.pixels = 100;
+  seen.target = blob;
+  sensor::Image picture;
+  picture.utime = kNow;
+  ASSERT_TRUE(HeadSees(picture, seen).has_value());
+  Focus focus;
+  focus.ignored_W_m = {Place(left_px_, 2.0)};
+  eyes_.SetFocus(focus);
+  EXPECT_FALSE(HeadSees(picture, seen).has_value());
+  focus.ignored_W_m = {Place(right_px_, 4.0)};
+  eyes_.SetFocus(focus);
+  EXPECT_TRUE(HeadSees(picture, seen).has_value());
+}
+
+TEST_F(EyesTest, TheFloorCameraIgnoresTheSamePlaces) {
+  const geometry::SensorRig rig = SmallRig();
+  const Eigen::Vector3d place_W_m = rig.X_RF * (1.2 * rig.floor_camera.Ray(79.5, 59.5));
+  const sensor::Image one = RedSquares({{Eigen::Vector2d(79.5, 59.5), 10}});
+  const auto floor_sees = [&] {
+    Base(kNow);
+    eyes_.TakeFloor(one);
+    const auto sighting = eyes_.LookFloor(history_, false);
+    EXPECT_TRUE(sighting.has_value());
+    return sighting && sighting->seen.target.has_value();
+  };
+  EXPECT_TRUE(floor_sees());
+  Focus focus;
+  focus.ignored_W_m = {place_W_m};
+  eyes_.SetFocus(focus);
+  EXPECT_FALSE(floor_sees());
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ constexpr double kHeadSpeed_rad_s = 1.5;
 constexpr double kAnswer_s = 0.3;
 constexpr double kSweptAnswer_s = 0.1;
 const cv::Scalar kFloor(140, 150, 150);
+const cv::Scalar kWall(120, 90, 90);
 const cv::Scalar kAbove(200, 190, 180);  // what is above the horizon: not floor, not target
 
 double Toward(double value, double target, double step) {
@@ -73,8 +74,31 @@ MissionOptions FastOptions() {
 FakeWorld::FakeWorld(const MissionOptions& options) : options_(options), rig_(SmallRig()) {
   Block target;
   target.center_W_m = {2.2, 0.3};
+  target.label = GeonLabel::kTaperedCuboid;
   blocks.push_back(target);
   mission_ = std::make_unique<Mission>(options_, rig_, 1'000'000, now_s_);
+}
+
+void FakeWorld::AddGeon(const Eigen::Vector2d& center_W_m, GeonLabel label) {
+  Block geon;
+  geon.center_W_m = center_W_m;
+  geon.label = label;
+  blocks.push_back(geon);
+}
+
+void FakeWorld::Fence(const Eigen::Vector2d& center_W_m, double half_m, double top_m) {
+  const int pieces = static_cast<int>(std::ceil(2.0 * half_m / 0.4));
+  const double piece_m = half_m / pieces;  // half its length
+  constexpr double kThick_m = 0.02;        // half of it
+  for (int k = 0; k < pieces; ++k) {
+    const double along_m = -half_m + (2 * k + 1) * piece_m;
+    for (const double side_m : {-half_m, half_m}) {
+      blocks.push_back(
+          {center_W_m + Eigen::Vector2d(along_m, side_m), {piece_m, kThick_m}, 0.0, top_m, kWall});
+      blocks.push_back(
+          {center_W_m + Eigen::Vector2d(side_m, along_m), {kThick_m, piece_m}, 0.0, top_m, kWall});
+    }
+  }
 }
 
 int64_t FakeWorld::RobotUtime() const {
@@ -115,10 +139,20 @@ void FakeWorld::TellProfiles() {
 }
 
 void FakeWorld::GiveVerdict(int64_t scan_id) {
+  const auto plan = std::find_if(plans.begin(), plans.end(),
+                                 [&](const auto& each) { return each.scan_id == scan_id; });
+  const Block& geon = blocks[scanned[static_cast<size_t>(plan - plans.begin())]];
   sensor::GeonVerdict verdict;
   verdict.scan_id = scan_id;
-  verdict.label = GeonLabel::kTaperedCuboid;
+  verdict.label = geon.label.value_or(GeonLabel::kTaperedCuboid);
   verdict.decided = decided;
+  verdict.confidence = confidence_1;
+  // The next label is the likeliest of the others.
+  constexpr double kNext_1 = 0.6;
+  const auto label = static_cast<size_t>(verdict.label);
+  verdict.posterior.fill((1.0 - confidence_1) * (1.0 - kNext_1) / (kGeonLabelCount - 2));
+  verdict.posterior[(label + 1) % kGeonLabelCount] = (1.0 - confidence_1) * kNext_1;
+  verdict.posterior[label] = confidence_1;
   mission_->Take(verdict);
 }
 
@@ -272,6 +306,8 @@ void FakeWorld::Obey(const Wishes& wishes) {
   }
   if (wishes.scan_plan && (plans.empty() || plans.back().scan_id != wishes.scan_plan->scan_id)) {
     plans.push_back(*wishes.scan_plan);
+    scanned.push_back(GeonInView());
+    scan_poses.push_back(pose);
     if (wishes.target_mask) masks.push_back(*wishes.target_mask);
   }
   if (!wishes.scan_command) return;
@@ -289,11 +325,31 @@ void FakeWorld::Obey(const Wishes& wishes) {
   }
 }
 
+size_t FakeWorld::GeonInView() const {
+  const auto X_WB = geometry::PlanarPose(pose.x(), pose.y(), pose.z()) *
+                    rig_.StripeCameraPose(head.pan_rad, head.tilt_rad);
+  size_t in_view = 0;
+  double most_1 = -1.0;  // cosine of the angle to the camera's axis
+  for (size_t k = 0; k < blocks.size(); ++k) {
+    if (!blocks[k].label) continue;
+    const Block& block = blocks[k];
+    const Eigen::Vector3d middle_B =
+        X_WB.inverse() * Eigen::Vector3d(block.center_W_m.x(), block.center_W_m.y(),
+                                         0.5 * (block.bottom_m + block.top_m));
+    const double cosine_1 = middle_B.normalized().z();
+    if (cosine_1 <= most_1) continue;
+    most_1 = cosine_1;
+    in_view = k;
+  }
+  return in_view;
+}
+
 double FakeWorld::TrueDistance() const {
   const auto X_WB = geometry::PlanarPose(pose.x(), pose.y(), pose.z()) *
                     rig_.StripeCameraPose(head.pan_rad, head.tilt_rad);
-  const Eigen::Vector2d away_m = blocks.front().center_W_m - X_WB.translation().head<2>();
-  return away_m.norm() - blocks.front().half_m.x();
+  const Block& geon = blocks[GeonInView()];
+  const Eigen::Vector2d away_m = geon.center_W_m - X_WB.translation().head<2>();
+  return away_m.norm() - geon.half_m.x();
 }
 
 void FakeWorld::AnswerStripe(const sensor::ScanCommand& command) {

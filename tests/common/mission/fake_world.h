@@ -3,7 +3,9 @@
 #include <Eigen/Core>
 #include <functional>
 #include <map>
+#include <memory>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -26,6 +28,7 @@ struct Block {
   double bottom_m = 0.0;
   double top_m = 0.25;
   cv::Scalar color_bgr{40, 40, 150};
+  std::optional<GeonLabel> label = {};  // of a geon: what the recognizer takes it for
 };
 
 // A robot, its daemons and a recognizer, as far as a mission can tell: flat pictures of blocks,
@@ -46,6 +49,11 @@ class FakeWorld {
   const Wishes& wishes() const { return wishes_; }
   double now_s() const { return now_s_; }
   std::string Text() const { return mission_->State().text; }
+  // A geon on the floor.
+  void AddGeon(const Eigen::Vector2d& center_W_m, GeonLabel label);
+  // Walls round a square of this half side, in short pieces: a block that is partly behind a camera
+  // is not in its picture.
+  void Fence(const Eigen::Vector2d& center_W_m, double half_m, double top_m = 0.5);
   // Whether the robot's disc overlaps a block that stands on the floor.
   bool Touches() const;
 
@@ -62,11 +70,14 @@ class FakeWorld {
   std::map<int, int> missing_attempts;  // stripe -> how often it is missing
   std::set<int> never_swept;            // planned stripes that no sweep measures
   bool decided = true;
+  double confidence_1 = 0.9;   // of every verdict, whether it decides or not
   int32_t recognizer_seq = 0;  // set back to 0: it was restarted
 
   // What the mission asked for.
   std::vector<sensor::ScanPlan> plans;                  // one per scan id
   std::vector<sensor::TargetMask> masks;                // one per plan
+  std::vector<size_t> scanned;                          // index in `blocks`, one per plan
+  std::vector<Eigen::Vector3d> scan_poses;              // of the robot, one per plan
   std::vector<sensor::ScanCommand> stripe_calls;        // one per (scan, stripe, attempt)
   std::vector<active_vision::HeadAngles> stripe_heads;  // head angles of these
   std::vector<sensor::Laser> sweeps;                    // lasers that were swept, in order
@@ -86,6 +97,8 @@ class FakeWorld {
   void GiveVerdict(int64_t scan_id);
   cv::Mat Picture(const geometry::PinholeCamera& camera,
                   const geometry::RigidTransform& X_WC) const;
+  // The geon that the B/W camera points at, as its index in `blocks`.
+  size_t GeonInView() const;
   double TrueDistance() const;
 
   MissionOptions options_;

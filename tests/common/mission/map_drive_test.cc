@@ -47,8 +47,12 @@ double Distance(const Vector2d& p_m, const Wall& wall) {
 // A robot that drives as it is told and sees the floor before it up to the walls; nothing else.
 class Trip {
  public:
-  explicit Trip(const Vector2d& target_W_m) : target_W_m_(target_W_m) {
-    AddBlock(target_W_m, {0.1, 0.1});
+  explicit Trip(const Vector2d& target_W_m) : Trip(target_W_m, Way::kToward, 0.0) {}
+  // To a place on the floor, where nothing stands.
+  static Trip ToPlace(const Vector2d& place_W_m) { return {place_W_m, Way::kTo, 0.0}; }
+  // Round a target to this side of it.
+  static Trip RoundTarget(const Vector2d& target_W_m, double side_rad) {
+    return {target_W_m, Way::kRound, side_rad};
   }
 
   void AddBlock(const Vector2d& middle_m, const Vector2d& half_m) {
@@ -58,10 +62,15 @@ class Trip {
     for (int k = 0; k < 4; ++k) walls_.push_back({corners_m[k], corners_m[(k + 1) % 4]});
   }
 
+  // Until `done`, it is said that it cannot be reached, or the time is over.
+  template <typename Done>
+  void RunUntil(Done done, double limit_s) {
+    const double end_s = now_s_ + limit_s;
+    while (now_s_ < end_s && !done() && !answer.unreachable) Step();
+  }
   // Until the target is so near, it is said that it cannot be reached, or the time is over.
   void Run(double limit_s, double near_m = kStop_m + kTolerance_m) {
-    const double end_s = now_s_ + limit_s;
-    while (now_s_ < end_s && Distance_m() > near_m && !answer.unreachable) Step();
+    RunUntil([&] { return Distance_m() <= near_m; }, limit_s);
   }
   void Step() {
     constexpr double kTick_s = 0.05;
@@ -80,12 +89,17 @@ class Trip {
       senses.TakeFloorImage(now_s_, picture, FloorSighting{{}, {}, Columns()});
     }
     senses.Look(now_s_);
-    answer = drive.Toward(now_s_, target_W_m_, kStop_m, &senses);
+    answer = Drive();
     if (!answer.text.empty() && (texts.empty() || texts.back() != answer.text)) {
       texts.push_back(answer.text);
     }
   }
   double now_s() const { return now_s_; }
+  // In W, from the target to the robot.
+  double Bearing_rad() const {
+    const Vector2d out_m = pose.head<2>() - target_W_m_;
+    return std::atan2(out_m.y(), out_m.x());
+  }
   double Distance_m() const { return (pose.head<2>() - target_W_m_).norm(); }
   // Since the start, from the robot's axis to the nearest wall.
   double nearest_m() const { return nearest_m_; }
@@ -105,6 +119,22 @@ class Trip {
   std::vector<std::string> texts;
 
  private:
+  enum class Way { kToward, kRound, kTo };
+  Trip(const Vector2d& goal_W_m, Way way, double side_rad)
+      : target_W_m_(goal_W_m), way_(way), side_rad_(side_rad) {
+    if (way != Way::kTo) AddBlock(goal_W_m, {0.1, 0.1});
+  }
+  MapDrive::Answer Drive() {
+    switch (way_) {
+      case Way::kRound:
+        return drive.Round(now_s_, target_W_m_, kStop_m, side_rad_, &senses);
+      case Way::kTo:
+        return drive.To(now_s_, target_W_m_, &senses);
+      case Way::kToward:
+        break;
+    }
+    return drive.Toward(now_s_, target_W_m_, kStop_m, &senses);
+  }
   void Move(double step_s) {
     if (stuck) return;
     pose.z() = WrapAngle(pose.z() + answer.velocity.turn_rate_rad_s * step_s);
@@ -133,6 +163,8 @@ class Trip {
   }
 
   Vector2d target_W_m_;
+  Way way_;
+  double side_rad_;
   std::vector<Wall> walls_;
   double now_s_ = 100.0;
   int step_ = 0;
@@ -283,6 +315,50 @@ TEST(MapDriveTest, ARobotThatDoesNotMoveTriesEverythingAndThenSaysSo) {
   EXPECT_NE(tried[0].find("listening"), std::string::npos) << tried[0];
   EXPECT_NE(tried[1].find("looking all round"), std::string::npos) << tried[1];
   EXPECT_NE(tried[2].find("stepping back"), std::string::npos) << tried[2];
+}
+
+TEST(MapDriveTest, ToAPlaceItDrivesOntoIt) {
+  for (const Vector2d& place_m : {Vector2d(1.5, 0.4), Vector2d(-1.2, -0.9)}) {
+    SCOPED_TRACE(place_m.transpose());
+    Trip trip = Trip::ToPlace(place_m);
+    trip.AddBlock(0.5 * place_m, {0.1, 0.1});  // in the way
+    trip.Run(60.0, 0.1);
+    EXPECT_LE(trip.Distance_m(), 0.1) << trip.answer.text;
+    EXPECT_FALSE(trip.answer.unreachable.has_value());
+    EXPECT_GE(trip.nearest_m(), kBody_m);
+  }
+}
+
+TEST(MapDriveTest, RoundATargetItDrivesToTheSideThatIsAskedFor) {
+  for (const double side_rad : {1.6, -1.6, 0.0, 2.6}) {
+    SCOPED_TRACE(side_rad);
+    Trip trip = Trip::RoundTarget({2.0, 0.0}, side_rad);
+    const auto is_there = [&] {
+      return trip.Distance_m() <= kStop_m + kTolerance_m &&
+             std::abs(WrapAngle(trip.Bearing_rad() - side_rad)) < 0.35;
+    };
+    trip.RunUntil(is_there, 90.0);
+    EXPECT_TRUE(is_there()) << trip.Bearing_rad() << " " << trip.answer.text;
+    EXPECT_FALSE(trip.answer.unreachable.has_value());
+    EXPECT_GE(trip.nearest_m(), kBody_m) << "not through the target";
+  }
+}
+
+TEST(MapDriveTest, APlaceAndASideAreGivenUpWithoutLookingRoundOrSteppingBack) {
+  for (const bool side : {false, true}) {
+    SCOPED_TRACE(side);
+    Trip trip = side ? Trip::RoundTarget({2.2, 0.0}, 0.0) : Trip::ToPlace({2.2, 0.0});
+    for (const double way : {-1.0, 1.0}) {  // a room round it, too small for the robot's way out
+      trip.AddBlock({2.2, way * 1.25}, {1.29, 0.04});
+      trip.AddBlock({2.2 + way * 1.25, 0.0}, {0.04, 1.29});
+    }
+    trip.RunUntil([] { return false; }, 120.0);
+    ASSERT_TRUE(trip.answer.unreachable.has_value()) << trip.answer.text;
+    for (const std::string& tried : trip.Tried()) {
+      EXPECT_NE(tried.find("listening"), std::string::npos) << tried;
+    }
+    EXPECT_GE(trip.nearest_m(), kBody_m);
+  }
 }
 
 }  // namespace

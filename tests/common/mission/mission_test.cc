@@ -69,6 +69,7 @@ TEST(MissionTest, WithoutAGeonItEndsWhenItsTimeIsOver) {
 TEST(MissionTest, AnUndecidedVerdictIsNoName) {
   FakeWorld world(FastOptions());
   world.decided = false;
+  world.confidence_1 = 0.4;
   ASSERT_TRUE(world.RunToTheEnd());
   EXPECT_EQ(world.mission().outcome(), MissionOutcome::kFailed);
   EXPECT_THAT(world.Text(), HasSubstr("does not decide"));

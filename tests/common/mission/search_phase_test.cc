@@ -10,8 +10,15 @@
 namespace geon::mission {
 namespace {
 
-TEST(SearchPhaseTest, SweepsTurnsAndWandersWhenThereIsNothing) {
-  FakeWorld world(FastOptions());
+// With the planner `map` the search is another: coverage_search_test.
+MissionOptions ByTheThesis() {
+  MissionOptions options = FastOptions();
+  options.driving.planner = PlannerKind::kThesis;
+  return options;
+}
+
+TEST(SearchPhaseTest, ByTheThesissRuleItSweepsTurnsAndWandersWhenThereIsNothing) {
+  FakeWorld world(ByTheThesis());
   world.target_hidden = true;
   bool swept = false;
   bool turned = false;
@@ -32,7 +39,7 @@ TEST(SearchPhaseTest, SweepsTurnsAndWandersWhenThereIsNothing) {
 }
 
 TEST(SearchPhaseTest, ARowIsSweptWithoutStopping) {
-  const MissionOptions options = FastOptions();
+  const MissionOptions options = ByTheThesis();
   FakeWorld world(options);
   world.target_hidden = true;
   ASSERT_TRUE(world.RunUntil(Phase::kSearch, 10.0));
@@ -65,6 +72,20 @@ TEST(SearchPhaseTest, TheFloorCameraFindsWhatStandsNear) {
   world.head_camera_up = true;
   world.blocks[0].center_W_m = {1.4, 0.0};  // below what the head sweeps
   ASSERT_TRUE(world.RunUntil(Phase::kApproach, 5.0)) << world.Text();
+}
+
+TEST(SearchPhaseTest, BothPlannersSweepAroundWhereATargetWasLost) {
+  for (const PlannerKind planner : {PlannerKind::kThesis, PlannerKind::kMap}) {
+    SCOPED_TRACE(ToString(planner));
+    MissionOptions options = FastOptions();
+    options.driving.planner = planner;
+    FakeWorld world(options);
+    ASSERT_TRUE(world.RunUntil(Phase::kCentre, 120.0)) << world.Text();
+    world.target_hidden = true;
+    ASSERT_TRUE(world.RunUntil(Phase::kSearch, 30.0)) << world.Text();
+    world.Step();
+    EXPECT_EQ(world.Text().find("sweeping"), 0U) << world.Text();
+  }
 }
 
 }  // namespace
