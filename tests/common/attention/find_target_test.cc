@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "base/contracts.h"
 #include "tests/common/attention/naive_segmentation.h"
@@ -90,6 +93,35 @@ TEST(FindTargetTest, ChosenBlobComesFirstThoughALineOnTheFloorHasMorePixels) {
   EXPECT_EQ(sighting.blobs[1].pixels, 178 * 12);
   EXPECT_EQ(sighting.mask[20 * 200 + 70], 255);
   EXPECT_EQ(sighting.mask[85 * 200 + 100], 0);
+}
+
+TEST(FindTargetTest, OnlyBlobsThatAreAcceptedMayBeTheTarget) {
+  const SegmentedPicture picture = SegmentedPicture(200, 100)
+                                       .Paint({10, 10, 20, 20}, kRed)
+                                       .Paint({60, 10, 40, 40}, kRed)
+                                       .Paint({150, 10, 10, 10}, kRed);
+  AttentionOptions options;
+  options.min_target_pixels = 50;
+  const TargetFinder finder(*NamedColorModel("super-red"), options);
+  const auto at = [](double u_px) {
+    return [u_px](const Blob& blob) { return std::abs(blob.center_px.x() - u_px) < 20.0; };
+  };
+  for (const auto& [u_px, box] : std::vector<std::pair<double, PixelBox>>{
+           {80.0, {61, 11, 38, 38}}, {20.0, {11, 11, 18, 18}}, {155.0, {151, 11, 8, 8}}}) {
+    SCOPED_TRACE(u_px);
+    const auto sighting = finder.Find(picture.image(), at(u_px));
+    ASSERT_TRUE(sighting.target);
+    EXPECT_EQ(sighting.target->box, box);
+    ASSERT_EQ(sighting.blobs.size(), 3U) << "all are listed";
+    EXPECT_EQ(sighting.blobs[0].box, box);
+    EXPECT_GT(sighting.blobs[1].pixels, sighting.blobs[2].pixels);
+    EXPECT_EQ(std::count(sighting.mask.begin(), sighting.mask.end(), 255), box.w_px * box.h_px);
+    EXPECT_EQ(sighting.mask[static_cast<size_t>(200 * box.v_px + box.u_px)], 255);
+  }
+  const auto none = finder.Find(picture.image(), [](const Blob&) { return false; });
+  EXPECT_FALSE(none.target);
+  EXPECT_EQ(none.blobs.size(), 3U);
+  EXPECT_EQ(finder.Find(picture.image()).target->box, (PixelBox{61, 11, 38, 38}));
 }
 
 TEST(FindTargetTest, SpecksAndLinesThinnerThanThreePixelsAreEroded) {

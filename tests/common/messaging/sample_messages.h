@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sensor/base.h"
+#include "sensor/geon_finding.h"
 #include "sensor/geon_verdict.h"
 #include "sensor/health.h"
 #include "sensor/image.h"
@@ -121,6 +122,18 @@ inline sensor::GeonVerdict Verdict() {
   return verdict;
 }
 
+inline sensor::GeonFinding Finding() {
+  sensor::GeonFinding finding;
+  finding.label = GeonLabel::kBentCylinder;
+  finding.confidence = 0.8;
+  finding.decided = true;
+  finding.posterior = {0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.8};
+  finding.p_W_m = {1.5, -2.5};
+  finding.support_height_m = 0.7;
+  finding.views = 2;
+  return finding;
+}
+
 inline sensor::PlannerState PlannerState() {
   sensor::PlannerState state;
   state.utime = 17;
@@ -137,6 +150,8 @@ inline sensor::PlannerState PlannerState() {
   state.obstacles_W_m = {{3, 3}};
   state.scan_id = 77;
   state.stripe_index = 3;
+  state.findings = {Finding(), {}};
+  state.findings[1].why = "unreachable";
   return state;
 }
 

@@ -1,6 +1,8 @@
 // Conversions of what planner and recognizer publish (messaging/wire.h).
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/contracts.h"
 #include "messaging/codec.h"
 #include "messaging/wire.h"
@@ -117,6 +119,52 @@ TEST(WireMission, PlannerStateSurvivesTheRoundTrip) {
   EXPECT_EQ(got->stripe_index, 3);
   sent.p_WTarget_m.reset();
   EXPECT_FALSE(Decode<sensor::PlannerState>(Encode(sent))->p_WTarget_m.has_value());
+}
+
+TEST(WireMission, FindingsSurviveTheRoundTrip) {
+  const sensor::PlannerState sent = samples::PlannerState();
+  const auto got = Decode<sensor::PlannerState>(Encode(sent));
+  ASSERT_TRUE(got.ok()) << got.message();
+  ASSERT_EQ(got->findings.size(), 2u);
+  const sensor::GeonFinding& named = got->findings[0];
+  EXPECT_EQ(named.label, GeonLabel::kBentCylinder);
+  EXPECT_EQ(named.confidence, 0.8);
+  EXPECT_TRUE(named.decided);
+  EXPECT_EQ(named.posterior, sent.findings[0].posterior);
+  EXPECT_EQ(named.p_W_m, Eigen::Vector2d(1.5, -2.5));
+  EXPECT_EQ(named.support_height_m, 0.7);
+  EXPECT_EQ(named.views, 2);
+  EXPECT_EQ(named.why, "");
+  const sensor::GeonFinding& unscanned = got->findings[1];
+  EXPECT_FALSE(unscanned.label.has_value());
+  EXPECT_FALSE(unscanned.decided);
+  EXPECT_EQ(unscanned.views, 0);
+  EXPECT_EQ(unscanned.why, "unreachable");
+}
+
+TEST(WireMission, AFindingWithAnUnknownLabelIsRefused) {
+  geon::planner_state_t wire = ToWire(samples::PlannerState());
+  wire.findings[1].label = 7;
+  EXPECT_EQ(FromWire(wire).message(), "findings: label has the unknown value 7");
+  wire.findings[1].label = -2;
+  EXPECT_FALSE(FromWire(wire).ok());
+  wire = ToWire(samples::PlannerState());
+  wire.findings[0].confidence_1 = std::nan("");
+  EXPECT_FALSE(FromWire(wire).ok());
+}
+
+TEST(WireMission, EveryOutcomeSurvivesTheRoundTripAndOthersAreRefused) {
+  using sensor::MissionOutcome;
+  for (const MissionOutcome outcome :
+       {MissionOutcome::kRunning, MissionOutcome::kNamed, MissionOutcome::kFailed,
+        MissionOutcome::kUnreachable, MissionOutcome::kNoneFound, MissionOutcome::kSurveyed}) {
+    sensor::PlannerState sent = samples::PlannerState();
+    sent.outcome = outcome;
+    EXPECT_EQ(Decode<sensor::PlannerState>(Encode(sent))->outcome, outcome);
+  }
+  geon::planner_state_t wire = ToWire(samples::PlannerState());
+  wire.outcome = 6;
+  EXPECT_EQ(FromWire(wire).message(), "outcome has the unknown value 6");
 }
 
 TEST(WireMission, TargetViewSurvivesTheRoundTrip) {
