@@ -7,6 +7,7 @@
 #include "procs/geon/parallel_for.h"
 #include "procs/geon/picture_uri.h"
 #include "procs/lockstep/robot_trial.h"
+#include "sim/trouble.h"
 #include "sim/world_file.h"
 
 namespace geon::cli {
@@ -42,6 +43,42 @@ evaluation::Subject SubjectOf(const sim::World& world,
           shape != nullptr ? shape->position : 1};
 }
 
+// Every geon of the world with what the mission found there, the nearest finding first served.
+std::vector<RobotGeonRecord> GeonsOf(const sim::World& world,
+                                     const std::vector<sensor::GeonFinding>& findings) {
+  std::vector<RobotGeonRecord> geons;
+  std::vector<Eigen::Vector2d> places_m;
+  for (const sim::WorldObject& object : world.objects) {
+    if (!sim::IsTarget(object)) continue;
+    geons.emplace_back().truth = *sim::TrueLabel(object);
+    geons.back().place = sim::FootHeight(world, object) > 0.0 ? "box" : "floor";
+    places_m.emplace_back(object.x_m, object.y_m);
+  }
+  constexpr double kSame_m = 0.5;
+  std::vector<bool> taken(findings.size(), false);
+  while (true) {
+    std::optional<std::pair<size_t, size_t>> nearest;
+    double nearest_m = kSame_m;
+    for (size_t g = 0; g < geons.size(); ++g) {
+      for (size_t f = 0; f < findings.size(); ++f) {
+        const double off_m = (findings[f].p_W_m - places_m[g]).norm();
+        if (geons[g].found || taken[f] || off_m >= nearest_m) continue;
+        nearest_m = off_m;
+        nearest = {g, f};
+      }
+    }
+    if (!nearest) return geons;
+    RobotGeonRecord& geon = geons[nearest->first];
+    const sensor::GeonFinding& finding = findings[nearest->second];
+    taken[nearest->second] = true;
+    geon.found = true;
+    geon.label = finding.label;
+    geon.decided = finding.decided;
+    geon.views = finding.views;
+    geon.off_m = nearest_m;
+  }
+}
+
 RobotTrialRecord RobotTrialOf(const RobotCase& each, const lockstep::RobotOutcome& outcome) {
   RobotTrialRecord trial;
   trial.t = each.t;
@@ -54,8 +91,11 @@ RobotTrialRecord RobotTrialOf(const RobotCase& each, const lockstep::RobotOutcom
     trial.label = outcome.verdict->label;
     trial.confidence = outcome.verdict->confidence;
     trial.decided = outcome.verdict->decided;
-    trial.views = 1;
+    trial.views = outcome.findings.empty() ? 1 : outcome.findings.front().views;
   }
+  trial.geons = GeonsOf(each.world, outcome.findings);
+  trial.others = static_cast<int>(outcome.findings.size());
+  for (const RobotGeonRecord& geon : trial.geons) trial.others -= geon.found ? 1 : 0;
   trial.end_s = outcome.end_s;
   const lockstep::RunTrack& track = outcome.track;
   trial.first_sight_s = track.first_sight_s;
@@ -81,11 +121,13 @@ RobotFilm FilmOf(const RobotCase& each, const lockstep::RobotOutcome& outcome) {
 
 }  // namespace
 
-sim::World RandomWorldAsWritten(uint64_t seed, sim::GeonPlace place) {
-  return sim::ParseWorld(sim::WorldText(sim::RandomWorld(seed, place)), "random world", "").value();
+sim::World RandomWorldAsWritten(uint64_t seed, sim::GeonPlace place, int geons) {
+  const sim::World world = sim::RandomWorldOfSeveral(seed, place, geons);
+  return sim::ParseWorld(sim::WorldText(world), "random world", "").value();
 }
 
-Result<std::vector<RobotCase>> RobotCases(const RobotPlan& plan, Shard shard) {
+Result<std::vector<RobotCase>> RobotCases(const RobotPlan& plan, const sim::SimOptions& sim,
+                                          Shard shard) {
   std::vector<RobotCase> cases;
   const int runs = plan.worlds.empty() ? plan.runs : static_cast<int>(plan.worlds.size());
   for (int t = shard.index - 1; t < runs; t += shard.count) {
@@ -93,7 +135,8 @@ Result<std::vector<RobotCase>> RobotCases(const RobotPlan& plan, Shard shard) {
     each.t = t;
     each.seed = plan.seed + static_cast<uint64_t>(t);
     if (plan.worlds.empty()) {
-      each.world = RandomWorldAsWritten(each.seed, PlaceOfTrial(plan.place, t));
+      const sim::GeonPlace place = plan.geons == 1 ? PlaceOfTrial(plan.place, t) : plan.place;
+      each.world = RandomWorldAsWritten(each.seed, place, plan.geons);
     } else {
       const std::filesystem::path& file = plan.worlds[static_cast<size_t>(t)];
       Result<sim::World> world = sim::LoadWorld(file);
@@ -102,6 +145,8 @@ Result<std::vector<RobotCase>> RobotCases(const RobotPlan& plan, Shard shard) {
       each.name = file.filename().string();
       each.world = std::move(*world);
     }
+    each.sim = sim;
+    if (plan.trouble) sim::AddTrouble(each.seed, &each.world, &each.sim);
     cases.push_back(std::move(each));
   }
   return cases;
@@ -117,8 +162,10 @@ Status RunRobotCases(const lockstep::LockstepSettings& settings,
   size_t done = 0;
   ParallelFor(jobs, static_cast<int>(cases.size()), [&](int k) {
     const RobotCase& each = cases[static_cast<size_t>(k)];
+    lockstep::LockstepSettings own = settings;
+    own.sim = each.sim;
     const Result<lockstep::RobotOutcome> outcome =
-        lockstep::RunRobotTrial(settings, calibration, each.world, each.seed, longest_s);
+        lockstep::RunRobotTrial(own, calibration, each.world, each.seed, longest_s);
     const std::lock_guard lock(mutex);
     progress(static_cast<double>(++done) / static_cast<double>(cases.size()));
     if (!outcome.ok()) {

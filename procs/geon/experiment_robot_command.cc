@@ -21,6 +21,7 @@ struct RobotArguments {
   std::string planner, scan;  // the robot file's
   std::filesystem::path output, robot_file, sim_file;
   std::string shard = "1/1";
+  bool inventory = false, calm = false;
   bool json = false;
   int jobs = 1;
 };
@@ -42,6 +43,7 @@ Result<lockstep::LockstepSettings> RobotSettings(const RobotArguments& arguments
   recognition = ToOptions(arguments.recognition, recognition);
   mission::PlannerKind& planner = settings->mission.driving.planner;
   planner = mission::PlannerKindFromString(arguments.planner).value_or(planner);
+  settings->mission.inventory = arguments.inventory || arguments.plan.geons > 1;
   mission::ScanMode& scan = settings->mission.looking.scan;
   scan = mission::ScanModeFromString(arguments.scan).value_or(scan);
   return settings;
@@ -58,6 +60,9 @@ nlohmann::json RobotConditions(const RobotArguments& arguments,
   const RecognitionArguments& said = arguments.recognition;
   return {{"runs", random ? arguments.plan.runs : static_cast<int>(worlds.size())},
           {"place", random ? arguments.place : ""},
+          {"geons", random ? arguments.plan.geons : 0},  // 0: as the files have it
+          {"trouble", !arguments.calm},
+          {"inventory", settings.mission.inventory},
           {"worlds", std::move(worlds)},
           {"planner", ToString(settings.mission.driving.planner)},
           {"scan", ToString(settings.mission.looking.scan)},
@@ -75,8 +80,10 @@ int RunRobotCommand(const RobotArguments& arguments) {
       recognizer::LoadCalibration(settings->recognizer);
   if (!calibration.ok()) return FailRobot(calibration.status());
   RobotPlan plan = arguments.plan;
+  plan.trouble = !arguments.calm;
   plan.place = kPlaces.at(arguments.place);
-  const Result<std::vector<RobotCase>> cases = RobotCases(plan, ParseShard(arguments.shard));
+  const Result<std::vector<RobotCase>> cases =
+      RobotCases(plan, settings->sim, ParseShard(arguments.shard));
   if (!cases.ok()) return FailRobot(cases.status());
 
   RobotRecord record;
@@ -110,10 +117,20 @@ void AddRobotOptions(CLI::App* command, RobotArguments* arguments) {
                                         "of the runs each")
                            ->check(CLI::IsMember({"any", "floor", "box"}))
                            ->capture_default_str();
+  CLI::Option* geons =
+      command->add_option("--geons", plan.geons, "in a pen; of several all are to be named")
+          ->check(CLI::Range(1, 4))
+          ->capture_default_str();
   command->add_option("--worlds", plan.worlds, "world files instead of random pens")
       ->check(CLI::ExistingFile)
       ->excludes(runs)
-      ->excludes(place);
+      ->excludes(place)
+      ->excludes(geons);
+  command->add_flag("--inventory", arguments->inventory,
+                    "with --worlds: name every geon of the pen, not just the first one");
+  command->add_flag("--calm", arguments->calm,
+                    "without the trouble of real rooms and robots: drift, grooves, glare, other "
+                    "light, lost frames, paint that is not quite the colour");
   command
       ->add_option("--planner", arguments->planner,
                    "thesis: the vertex rule of section 4.3; map: by a map of obstacles; the "
@@ -162,10 +179,11 @@ void AddExperimentRobotCommand(CLI::App& experiment, int* exit_code) {
   command->add_flag("--json", arguments->json, "print results.json instead of the tables");
   command->footer(
       "Examples:\n  geon experiment robot --jobs 2 -o missions\n"
+      "  geon experiment robot --runs 100 --geons 3 -o inventories\n"
       "  geon experiment robot --runs 30 --method thesis --planner thesis\n"
       "The run of seed 7 again, then the same in real time:\n"
       "  geon world --seed 7 --on box -o pen7.yaml\n"
-      "  geon experiment robot --worlds pen7.yaml --seed 7 -o again\n"
+      "  geon experiment robot --calm --worlds pen7.yaml --seed 7 -o again\n"
       "  scripts/demo --world pen7.yaml --seed 7");
   command->callback([arguments, exit_code] { *exit_code = RunRobotCommand(*arguments); });
 }

@@ -137,9 +137,9 @@ std::string RobotBody(const RobotRecord& record) {
          "6.3 of the thesis.</p><p class=\"muted\">Seed " +
          std::to_string(record.seed) + ", build " + Escape(record.git) +
          ", distances by calibration " + Escape(record.conditions.value("calibration", "unknown")) +
-         ". Times are virtual, from the start to the verdict.</p>" + RunsTable(record) +
-         FilmSection(record) + ConfusionSection(record) + "<h2>What went wrong</h2>" +
-         FailedRuns(record) +
+         ". Times are virtual, from the start to the verdict.</p>" + RunsTable(record) + "<p>" +
+         Escape(RobotNotes(record)) + "</p>" + FilmSection(record) + ConfusionSection(record) +
+         "<h2>What went wrong</h2>" + FailedRuns(record) +
          "<footer>Written by geon experiment robot. results.json beside this page holds every "
          "figure and every run.</footer>";
 }

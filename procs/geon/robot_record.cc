@@ -10,6 +10,30 @@
 namespace geon::cli {
 namespace {
 
+nlohmann::json GeonsJson(const std::vector<RobotGeonRecord>& geons) {
+  nlohmann::json value = nlohmann::json::array();
+  for (const RobotGeonRecord& geon : geons) {
+    value.push_back({{"truth", ToString(geon.truth)},
+                     {"place", geon.place},
+                     {"found", geon.found},
+                     {"label", LabelJson(geon.label)},
+                     {"decided", geon.decided},
+                     {"views", geon.views},
+                     {"off_m", geon.off_m}});
+  }
+  return value;
+}
+
+std::vector<RobotGeonRecord> ParseGeons(const nlohmann::json& value) {
+  std::vector<RobotGeonRecord> geons;
+  for (const nlohmann::json& each : value) {
+    geons.push_back({ParseLabel(each.at("truth")), each.at("place"), each.at("found"),
+                     ParseOptionalLabel(each.at("label")), each.at("decided"), each.at("views"),
+                     each.at("off_m")});
+  }
+  return geons;
+}
+
 nlohmann::json ToJson(const RobotTrialRecord& trial) {
   return {{"t", trial.t},
           {"seed", trial.seed},
@@ -27,7 +51,9 @@ nlohmann::json ToJson(const RobotTrialRecord& trial) {
           {"end_s", trial.end_s},
           {"contacts", trial.contacts},
           {"hardest_contact_m_s", trial.hardest_contact_m_s},
-          {"path_m", trial.path_m}};
+          {"path_m", trial.path_m},
+          {"geons", GeonsJson(trial.geons)},
+          {"others", trial.others}};
 }
 
 RobotTrialRecord ParseRobotTrial(const nlohmann::json& value) {
@@ -47,6 +73,8 @@ RobotTrialRecord ParseRobotTrial(const nlohmann::json& value) {
   trial.contacts = value.at("contacts");
   trial.hardest_contact_m_s = value.at("hardest_contact_m_s");
   trial.path_m = value.at("path_m");
+  trial.geons = ParseGeons(value.at("geons"));
+  trial.others = value.at("others");
   return trial;
 }
 
@@ -92,6 +120,10 @@ nlohmann::json RobotRatesOf(const RobotSummary& summary) {
   rates["contacts"] = summary.contacts;
   rates["hardest_contact_m_s"] = summary.hardest_contact_m_s;
   rates["time_s"] = SpreadJson(summary.times_s);
+  rates["views"] = summary.views;
+  rates["geons"] = RateJson(summary.geons);
+  rates["others"] = summary.others;
+  rates["off_m"] = SpreadJson(summary.off_m);
   return rates;
 }
 
@@ -119,6 +151,15 @@ RobotSummary Summarize(const RobotRecord& record, const std::string& place) {
     summary.contacts += trial.contacts;
     summary.hardest_contact_m_s = std::max(summary.hardest_contact_m_s, trial.hardest_contact_m_s);
     if (trial.reached()) summary.times_s.push_back(trial.end_s);
+    summary.others += trial.others;
+    for (const RobotGeonRecord& geon : trial.geons) {
+      summary.geons.Count(geon.right());
+      if (geon.found) summary.off_m.push_back(geon.off_m);
+    }
+    if (trial.views == 0) continue;
+    const auto views = static_cast<size_t>(trial.views);
+    if (summary.views.size() < views) summary.views.resize(views, 0);
+    ++summary.views[views - 1];
   }
   return summary;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -11,6 +12,19 @@
 #include "sensor/planner_state.h"
 
 namespace geon::cli {
+
+// One geon of a pen, and what the mission found where it stands.
+struct RobotGeonRecord {
+  GeonLabel truth = GeonLabel::kCuboid;
+  std::string place;  // floor or box
+  bool found = false;
+  std::optional<GeonLabel> label;  // nothing: it was never scanned
+  bool decided = false;
+  int views = 0;
+  double off_m = 0.0;  // from where it stands to where the mission says; if found
+
+  bool right() const { return label == truth; }
+};
 
 // One mission of `geon experiment robot`, as results.json keeps it. Times are virtual, from its
 // start.
@@ -30,13 +44,23 @@ struct RobotTrialRecord {
   int contacts = 0;
   double hardest_contact_m_s = 0.0;
   double path_m = 0.0;
+  std::vector<RobotGeonRecord> geons;  // of the pen
+  int others = 0;                      // findings where there is no geon
 
-  bool reached() const { return label.has_value(); }
+  bool surveyed() const { return geons.size() > 1; }  // all were to be named
+  bool reached() const { return label.has_value() || end == sensor::MissionOutcome::kSurveyed; }
   bool named() const { return end == sensor::MissionOutcome::kNamed; }
-  bool right() const { return named() && label == subject.truth; }
-  bool right_guess() const { return !named() && label == subject.truth; }
+  bool right() const {
+    if (surveyed()) return others == 0 && AllGeonsRight();
+    return named() && label == subject.truth;
+  }
+  bool AllGeonsRight() const {
+    return std::all_of(geons.begin(), geons.end(), [](const auto& geon) { return geon.right(); });
+  }
+  bool right_guess() const { return !surveyed() && !named() && label == subject.truth; }
   bool unreachable() const { return end == sensor::MissionOutcome::kUnreachable; }
-  bool trapped() const { return !reached() && !unreachable(); }
+  bool none_found() const { return end == sensor::MissionOutcome::kNoneFound; }
+  bool trapped() const { return !reached() && !unreachable(); }  // none found: wrongly
 };
 
 // The first run, told by what the head's camera saw whenever the mission went over to another
@@ -84,7 +108,11 @@ struct RobotSummary {
   int unreachable = 0;
   int contacts = 0;
   double hardest_contact_m_s = 0.0;
-  std::vector<double> times_s;  // from the start to the verdict, of those that reached one
+  std::vector<double> times_s;    // from the start to the verdict, of those that reached one
+  evaluation::SuccessRate geons;  // found and rightly named; of all in the pens
+  int others = 0;                 // findings where there is no geon
+  std::vector<double> off_m;      // of the positions of those found
+  std::vector<int> views;         // runs (of one geon) that took 1, 2, ... views
 };
 // Of the runs with the geon on `place`; empty: of all.
 RobotSummary Summarize(const RobotRecord& record, const std::string& place = "");
@@ -95,6 +123,8 @@ std::vector<std::string> PlacesOf(const RobotRecord& record);
 std::vector<std::vector<std::string>> RobotTable(const RobotRecord& record);
 // The same as text, and what the thesis counted.
 std::string RobotTables(const RobotRecord& record);
+// How many views it took, and of all geons of the pens how many were found, and how far off.
+std::string RobotNotes(const RobotRecord& record);
 extern const char* const kThesisRunsNote;
 
 // One self-contained HTML page: the table, the film of the first run, truth by answer, and a map of

@@ -66,6 +66,24 @@ std::vector<std::vector<std::string>> RobotTable(const RobotRecord& record) {
   return rows;
 }
 
+std::string RobotNotes(const RobotRecord& record) {
+  const RobotSummary all = Summarize(record);
+  std::string text = "Views of the geon that the verdict rests on:";
+  for (size_t k = 0; k < all.views.size(); ++k) {
+    text += (k == 0 ? " " : ", ") + std::to_string(k + 1) + " in " + std::to_string(all.views[k]) +
+            " runs";
+  }
+  if (all.views.empty()) text += " none";
+  text += ". Geons found and rightly named: " + RightCell(all.geons) + " of " +
+          std::to_string(all.geons.n) + "; " + std::to_string(all.others) +
+          " findings where there is none";
+  if (const auto off = SpreadOf(all.off_m)) {
+    text += "; positions off by " + Fixed(off->p50, 3) + " m (median), " + Fixed(off->p95, 3) +
+            " m (95 %), " + Fixed(off->max, 3) + " m at most";
+  }
+  return text + ".";
+}
+
 std::string RobotTables(const RobotRecord& record) {
   const std::vector<std::vector<std::string>> rows = RobotTable(record);
   std::string text =
@@ -80,7 +98,7 @@ std::string RobotTables(const RobotRecord& record) {
     }
     text += "\n";
   }
-  return text + kThesisRunsNote + "\n";
+  return text + RobotNotes(record) + "\n" + kThesisRunsNote + "\n";
 }
 
 }  // namespace geon::cli

@@ -63,6 +63,10 @@ Result<RobotOutcome> RunRobotTrial(const LockstepSettings& settings,
   outcome.end_s = robot.time_s();
   outcome.track = watch.track();
   if (state.p_WTarget_m) outcome.target_W_m = InPen(world, *state.p_WTarget_m);
+  for (sensor::GeonFinding finding : state.findings) {
+    finding.p_W_m = InPen(world, finding.p_W_m);
+    outcome.findings.push_back(std::move(finding));
+  }
   if (robot.decision()) {
     outcome.view = robot.decision()->sighting.image;
     outcome.mask = robot.decision()->sighting.seen.mask;

@@ -10,6 +10,7 @@
 #include "procs/lockstep/lockstep_settings.h"
 #include "procs/lockstep/run_watch.h"
 #include "procs/recognizer/stripe_calibration.h"
+#include "sensor/geon_finding.h"
 #include "sensor/geon_verdict.h"
 #include "sensor/image.h"
 #include "sensor/planner_state.h"
@@ -41,6 +42,7 @@ struct RobotOutcome {
   // Where the geon stands that the mission was after, as it believed: in the pen. Nothing: it knew
   // of none.
   std::optional<Eigen::Vector2d> target_W_m;
+  std::vector<sensor::GeonFinding> findings;  // places in the pen
   // The picture on which the last decision was taken (kBgr8), and the target's mask in it.
   sensor::Image view;
   std::vector<uint8_t> mask;

@@ -27,7 +27,7 @@ class ExperimentRobotTest : public testing::Test {
   RobotRecord Run(const RobotPlan& plan, Shard shard, int jobs) const {
     RobotRecord record;
     record.conditions = nlohmann::json::object();
-    const auto cases = RobotCases(plan, shard);
+    const auto cases = RobotCases(plan, settings_->sim, shard);
     EXPECT_TRUE(cases.ok()) << cases.message();
     const Status run = RunRobotCases(
         *settings_, std::nullopt, *cases, plan.longest_s, jobs, [](double) {}, &record);
@@ -46,7 +46,7 @@ TEST_F(ExperimentRobotTest, OfAnyPlaceExactlyHalfAreOnTheFloor) {
   RobotPlan plan;
   plan.runs = 6;
   plan.seed = 11;
-  const auto cases = RobotCases(plan, {});
+  const auto cases = RobotCases(plan, {}, {});
   ASSERT_TRUE(cases.ok());
   ASSERT_EQ(cases->size(), 6U);
   for (const RobotCase& each : *cases) {
@@ -54,7 +54,7 @@ TEST_F(ExperimentRobotTest, OfAnyPlaceExactlyHalfAreOnTheFloor) {
     EXPECT_EQ(sim::FootHeight(each.world, each.world.objects.back()) > 0.0, each.t % 2 == 1);
   }
   plan.place = sim::GeonPlace::kBox;
-  const auto boxes = RobotCases(plan, {2, 3});
+  const auto boxes = RobotCases(plan, {}, {2, 3});
   ASSERT_EQ(boxes->size(), 2U);
   for (const RobotCase& each : *boxes) {
     EXPECT_TRUE(each.t == 1 || each.t == 4);
@@ -100,14 +100,14 @@ TEST_F(ExperimentRobotTest, WorldsWithoutAGeonOrWithAnUnnamedMeshAreRefusedByNam
       "  - {box: [0.4, 0.4, 0.7], x_m: 2.0, y_m: 2.0}\n";
   RobotPlan plan;
   plan.worlds = {Write("empty.yaml", pen)};
-  EXPECT_THAT(RobotCases(plan, {}).message(), HasSubstr("empty.yaml: there is no geon"));
+  EXPECT_THAT(RobotCases(plan, {}, {}).message(), HasSubstr("empty.yaml: there is no geon"));
   plan.worlds = {
       Write("mesh.yaml", pen + "  - {mesh: banana.obj, height_m: 0.2, x_m: 1.0, y_m: 3.0}\n")};
-  EXPECT_THAT(RobotCases(plan, {}).message(), HasSubstr("mesh.yaml: a mesh without `truth`"));
+  EXPECT_THAT(RobotCases(plan, {}, {}).message(), HasSubstr("mesh.yaml: a mesh without `truth`"));
   plan.worlds = {Write(
       "named.yaml",
       pen + "  - {mesh: banana.obj, height_m: 0.2, x_m: 1.0, y_m: 3.0, truth: bent_cylinder}\n")};
-  const auto cases = RobotCases(plan, {});
+  const auto cases = RobotCases(plan, {}, {});
   ASSERT_TRUE(cases.ok()) << cases.message();
   RobotRecord record;
   const Status run = RunRobotCases(
