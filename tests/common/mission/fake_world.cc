@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 
 #include "base/angles.h"
 #include "base/time.h"
@@ -16,9 +16,7 @@ constexpr double kStep_s = 0.05;
 constexpr double kHeadSpeed_rad_s = 1.5;
 constexpr double kAnswer_s = 0.3;
 constexpr double kSweptAnswer_s = 0.1;
-const cv::Scalar kFloor(140, 150, 150);
 const cv::Scalar kWall(120, 90, 90);
-const cv::Scalar kAbove(200, 190, 180);  // what is above the horizon: not floor, not target
 
 double Toward(double value, double target, double step) {
   return value + std::clamp(target - value, -step, step);
@@ -247,54 +245,20 @@ void FakeWorld::TellPictures() {
   Senses* senses = mission_->senses();
   const int32_t seq = step_ / 4;
   if (head_camera_up) {
-    senses->TakeHeadImage(now_s_,
-                          AsImage(Picture(rig_.color_camera,
-                                          X_WR * rig_.ColorCameraPose(head.pan_rad, head.tilt_rad)),
-                                  RobotUtime(), seq));
+    senses->TakeHeadImage(
+        now_s_, AsImage(BlockPicture(Seen(), rig_.color_camera,
+                                     X_WR * rig_.ColorCameraPose(head.pan_rad, head.tilt_rad)),
+                        RobotUtime(), seq));
   }
   if (floor_camera_up) {
     senses->TakeFloorImage(
-        now_s_, AsImage(Picture(rig_.floor_camera, X_WR * rig_.X_RF), RobotUtime(), seq));
+        now_s_,
+        AsImage(BlockPicture(Seen(), rig_.floor_camera, X_WR * rig_.X_RF), RobotUtime(), seq));
   }
 }
 
-// Far blocks first. A block that is partly behind the camera is left out.
-cv::Mat FakeWorld::Picture(const geometry::PinholeCamera& camera,
-                           const geometry::RigidTransform& X_WC) const {
-  cv::Mat image(camera.height_px, camera.width_px, CV_8UC3, kFloor);
-  for (int v = 0; v < image.rows; ++v) {
-    for (int u = 0; u < image.cols; ++u) {
-      if ((X_WC.linear() * camera.Ray(u, v)).z() >= 0.0) {
-        image.at<cv::Vec3b>(v, u) = cv::Vec3b(200, 190, 180);
-      }
-    }
-  }
-  std::vector<Block> order(blocks.begin() + (target_hidden ? 1 : 0), blocks.end());
-  const auto distance = [&](const Block& block) {
-    return (Eigen::Vector3d(block.center_W_m.x(), block.center_W_m.y(), block.top_m) -
-            X_WC.translation())
-        .norm();
-  };
-  std::sort(order.begin(), order.end(),
-            [&](const Block& a, const Block& b) { return distance(a) > distance(b); });
-  for (const Block& block : order) {
-    std::vector<cv::Point> corners;
-    for (int i = 0; i < 8; ++i) {
-      const Eigen::Vector3d p_W(block.center_W_m.x() + ((i & 1) != 0 ? 1 : -1) * block.half_m.x(),
-                                block.center_W_m.y() + ((i & 2) != 0 ? 1 : -1) * block.half_m.y(),
-                                (i & 4) != 0 ? block.top_m : block.bottom_m);
-      const Eigen::Vector3d p_C = X_WC.inverse() * p_W;
-      if (p_C.z() < 0.05) break;
-      const Eigen::Vector2d pixel = camera.Project(p_C);
-      corners.emplace_back(static_cast<int>(std::lround(pixel.x())),
-                           static_cast<int>(std::lround(pixel.y())));
-    }
-    if (corners.size() < 8) continue;
-    std::vector<cv::Point> hull;
-    cv::convexHull(corners, hull);
-    cv::fillConvexPoly(image, hull, block.color_bgr);
-  }
-  return image;
+std::vector<Block> FakeWorld::Seen() const {
+  return {blocks.begin() + (target_hidden ? 1 : 0), blocks.end()};
 }
 
 void FakeWorld::Obey(const Wishes& wishes) {

@@ -4,7 +4,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <opencv2/core.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include "geometry/sensor_rig.h"
 #include "mission/mission.h"
+#include "tests/common/mission/block_picture.h"
 
 namespace geon::mission {
 
@@ -20,16 +20,6 @@ namespace geon::mission {
 geometry::SensorRig SmallRig();
 // Options that go with it.
 MissionOptions FastOptions();
-
-// A box of the fake world: an upright block on the floor or on another one.
-struct Block {
-  Eigen::Vector2d center_W_m{0.0, 0.0};
-  Eigen::Vector2d half_m{0.1, 0.1};
-  double bottom_m = 0.0;
-  double top_m = 0.25;
-  cv::Scalar color_bgr{40, 40, 150};
-  std::optional<GeonLabel> label = {};  // of a geon: what the recognizer takes it for
-};
 
 // A robot, its daemons and a recognizer, as far as a mission can tell: flat pictures of blocks,
 // motion without inertia, stripes that answer with the true distance. Everything happens in virtual
@@ -89,14 +79,13 @@ class FakeWorld {
   void Move();
   void TellStates();
   void TellPictures();
+  std::vector<Block> Seen() const;
   void Obey(const Wishes& wishes);
   void AnswerStripe(const sensor::ScanCommand& command);
   void AnswerSweep();
   sensor::RangeProfile Measured(const sensor::ScanCommand& command) const;
   void TellProfiles();
   void GiveVerdict(int64_t scan_id);
-  cv::Mat Picture(const geometry::PinholeCamera& camera,
-                  const geometry::RigidTransform& X_WC) const;
   // The geon that the B/W camera points at, as its index in `blocks`.
   size_t GeonInView() const;
   double TrueDistance() const;
