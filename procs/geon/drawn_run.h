@@ -35,6 +35,6 @@ DrawnRun ParseDrawnRun(const nlohmann::json& value);  // throws what nlohmann::j
 
 // The map as SVG of class names that kDrawnRunStyle knows. `stops_m` are numbered from 1.
 std::string RunMap(const DrawnRun& run, const std::vector<Eigen::Vector2d>& stops_m = {});
-extern const char* const kDrawnRunStyle;
+extern const char* const kDrawnRunStyle;  // and a table of class `runs`
 
 }  // namespace geon::cli

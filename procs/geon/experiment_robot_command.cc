@@ -182,7 +182,7 @@ void AddExperimentRobotCommand(CLI::App& experiment, int* exit_code) {
       "  geon experiment robot --runs 100 --geons 3 -o inventories\n"
       "  geon experiment robot --runs 30 --method thesis --planner thesis\n"
       "The run of seed 7 again, then the same in real time:\n"
-      "  geon world --seed 7 --on box -o pen7.yaml\n"
+      "  geon world --seed 7 --on floor -o pen7.yaml\n"
       "  geon experiment robot --calm --worlds pen7.yaml --seed 7 -o again\n"
       "  scripts/demo --world pen7.yaml --seed 7");
   command->callback([arguments, exit_code] { *exit_code = RunRobotCommand(*arguments); });

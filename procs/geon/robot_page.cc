@@ -17,7 +17,8 @@ constexpr const char* kRobotStyle = R"css(
 .strip .blank{aspect-ratio:4/3;border-radius:4px;background:var(--line)}
 .strip figcaption{font-size:13px;line-height:1.35;margin-top:4px}.strip b{color:var(--ink)}
 .failed{display:grid;grid-template-columns:repeat(auto-fill,minmax(480px,1fr));gap:16px}
-.failed article{display:grid;grid-template-columns:180px 1fr;gap:4px 16px;align-items:start}
+.failed article{display:grid;grid-template-columns:180px 1fr;gap:4px 16px;align-items:start;
+align-content:start}
 .failed h3,.failed p{grid-column:1/-1;margin:0}.failed p{font-size:14px;line-height:1.35}
 table.runs td,table.runs th{white-space:nowrap;padding:3px 7px}
 @media (max-width:760px){.film,.failed{grid-template-columns:1fr}}

@@ -125,7 +125,9 @@ std::vector<std::vector<std::string>> RobotTable(const RobotRecord& record);
 std::string RobotTables(const RobotRecord& record);
 // How many views it took, and of all geons of the pens how many were found, and how far off.
 std::string RobotNotes(const RobotRecord& record);
-extern const char* const kThesisRunsNote;
+inline constexpr const char* kThesisRunsNote =
+    "The thesis's percentages are of runs that came near the geon: those in which the robot was "
+    "trapped it left out. It came there \"in most cases within 30 seconds\".";
 
 // One self-contained HTML page: the table, the film of the first run, truth by answer, and a map of
 // every run that is not right.

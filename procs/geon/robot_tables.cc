@@ -50,10 +50,6 @@ std::vector<std::string> SummaryCells(const std::string& name, const RobotSummar
 
 }  // namespace
 
-const char* const kThesisRunsNote =
-    "The thesis's percentages are of runs that came near the geon: those in which the robot was "
-    "trapped it left out. It came there \"in most cases within 30 seconds\".";
-
 std::vector<std::vector<std::string>> RobotTable(const RobotRecord& record) {
   std::vector<std::vector<std::string>> rows = {{"geon on", "runs", "right (95 %)", "thesis",
                                                  "wrong", "undecided", "trapped", "unreachable",
