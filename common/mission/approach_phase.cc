@@ -13,13 +13,27 @@ constexpr double kOffAim_rad = 0.06;  // a third of the colour camera's half vie
 constexpr double kFacingTarget_rad = 0.10;
 constexpr int kFloorLooks = 3;        // that may tell a desk from floor, before arriving at either
 constexpr double kUnseen_s = 12.0;    // then the estimate is no longer trusted
-constexpr double kOnSide_rad = 0.40;  // half a side's width
+constexpr double kOnSide_rad = 0.30;  // beside the side that is wanted, on arriving ...
+constexpr double kStillOnSide_rad = 0.45;  // ... and while turning to the target
+constexpr double kStillThere_m = 0.08;     // farther than on arriving
+constexpr double kFootToMiddle_m = 0.08;   // of a target, roughly
+
+// What the robot drives to: the target's foot, or, to see another side of it, its middle as
+// scanned.
+struct Aim {
+  Eigen::Vector2d p_W_m;
+  double stop_distance_m;
+};
+Aim AimOf(const Context& context, const SupportHypothesis& target) {
+  if (!context.side_rad) return {target.p_WFoot_m, context.stop_distance_m};
+  return {context.views.middle_W_m(), context.stop_distance_m + kFootToMiddle_m};
+}
 
 // Whether the robot stands on the side from which it is to look.
-bool IsOnSide(const Context& context, const Eigen::Vector2d& target_W_m) {
+bool IsOnSide(const Context& context, const Eigen::Vector2d& target_W_m, double tolerance_rad) {
   if (!context.side_rad) return true;
   const Eigen::Vector2d out_m = context.senses.X_WR().translation().head<2>() - target_W_m;
-  return std::abs(WrapAngle(std::atan2(out_m.y(), out_m.x()) - *context.side_rad)) < kOnSide_rad;
+  return std::abs(WrapAngle(std::atan2(out_m.y(), out_m.x()) - *context.side_rad)) < tolerance_rad;
 }
 
 std::string ApproachText(double distance_m) {
@@ -37,6 +51,7 @@ void ApproachPhase::Enter(Context* context) {
   nearest_m_ = 1e9;
   wander_until_s_ = -1.0;
   floor_looks_ = 0;
+  arriving_ = false;
 }
 
 Transition ApproachPhase::Step(Context* context) {
@@ -53,10 +68,12 @@ Transition ApproachPhase::Step(Context* context) {
   KeepHeadOn(context, *target);
 
   const Eigen::Vector2d target_R_m = InRobot(*context, target->p_WFoot_m);
-  if (target_R_m.norm() <= context->stop_distance_m + context->options.looking.stop_tolerance_m &&
-      IsOnSide(*context, target->p_WFoot_m)) {
-    return Arrive(context, target_R_m);
-  }
+  const Aim aim = AimOf(*context, *target);
+  const double there_m = aim.stop_distance_m + context->options.looking.stop_tolerance_m +
+                         (arriving_ ? kStillThere_m : 0.0);
+  arriving_ = InRobot(*context, aim.p_W_m).norm() <= there_m &&
+              IsOnSide(*context, aim.p_W_m, arriving_ ? kStillOnSide_rad : kOnSide_rad);
+  if (arriving_) return Arrive(context, target_R_m);
   if (context->options.driving.planner == PlannerKind::kMap) return DriveByMap(context, *target);
   return DriveByRule(context, *target);
 }

@@ -24,6 +24,7 @@ class ApproachPhase {
   int odometry_epoch_ = 0;
   double seen_s_ = 0.0;
   int floor_looks_ = 0;
+  bool arriving_ = false;  // near enough, and turning to the target
   double nearest_m_ = 0.0;
   double nearer_s_ = 0.0;
   double wander_until_s_ = -1.0;

@@ -15,7 +15,7 @@ struct ViewingOptions {
   double hidden_cost_m = 0.6;  // driven farther for a place whose view is not cut by an obstacle
   // Only from this side: bearing in W from the target to the robot, and how far beside it.
   std::optional<double> side_rad;
-  double side_tolerance_rad = 0.30;
+  double side_tolerance_rad = 0.20;
 };
 
 // Source: thesis section 4.3 for the distance; the set is ours.

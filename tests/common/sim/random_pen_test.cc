@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -16,7 +17,7 @@ namespace geon::sim {
 namespace {
 
 constexpr std::array kAllKinds = {PenKind::kBoxes, PenKind::kUTrap, PenKind::kDeadEnd,
-                                  PenKind::kGap, PenKind::kUnreachable};
+                                  PenKind::kGap,   PenKind::kEmpty, PenKind::kUnreachable};
 constexpr std::array kReachableKinds = {PenKind::kBoxes, PenKind::kUTrap, PenKind::kDeadEnd,
                                         PenKind::kGap};
 constexpr uint64_t kSeeds = 20;
@@ -215,6 +216,19 @@ TEST(RandomPenTest, AnUnreachableGeonCannot) {
   }
 }
 
+TEST(RandomPenTest, AnEmptyPenHasBoxesAndNothingElse) {
+  std::set<size_t> counts;
+  for (uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const World pen = RandomPen(seed, PenKind::kEmpty);
+    EXPECT_TRUE(Geons(pen).empty()) << seed;
+    EXPECT_TRUE(std::none_of(pen.objects.begin(), pen.objects.end(), IsTarget)) << seed;
+    EXPECT_EQ(Boxes(pen).size(), pen.objects.size()) << seed;
+    counts.insert(pen.objects.size());
+  }
+  EXPECT_LE(*counts.rbegin(), 5U);
+  EXPECT_GE(counts.size(), 4U);
+}
+
 TEST(RandomPenTest, TheMixtureIsHalfBoxesAndASixthOfEachTrap) {
   std::map<PenKind, int> counts;
   for (uint64_t seed = 0; seed < 3000; ++seed) ++counts[MixedPenKind(seed)];
@@ -222,6 +236,7 @@ TEST(RandomPenTest, TheMixtureIsHalfBoxesAndASixthOfEachTrap) {
   for (const PenKind trap : {PenKind::kUTrap, PenKind::kDeadEnd, PenKind::kGap}) {
     EXPECT_NEAR(counts[trap], 500, 80) << ToString(trap);
   }
+  EXPECT_EQ(counts[PenKind::kEmpty], 0);
   EXPECT_EQ(counts[PenKind::kUnreachable], 0);
 }
 

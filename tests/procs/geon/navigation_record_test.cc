@@ -55,9 +55,22 @@ TEST(NavigationRecordTest, RatesCountEndsContactsAndTimes) {
   EXPECT_EQ(rates.at("reached"), 2);
   EXPECT_EQ(rates.at("trapped"), 1);
   EXPECT_EQ(rates.at("unreachable"), 0);
+  EXPECT_EQ(rates.at("none_found"), 0);
   EXPECT_EQ(rates.at("contacts"), 2);
   EXPECT_DOUBLE_EQ(rates.at("time_s").at("max"), 10.0) << "of those that got there";
   EXPECT_EQ(rates.at("worlds").at("boxes").at("runs"), 2);
+}
+
+TEST(NavigationRecordTest, NoneFoundIsRightWhereThereIsNone) {
+  NavigationRecord record = Record(
+      {Trial(0, "empty", NavigationEnd::kNoneFound), Trial(1, "boxes", NavigationEnd::kNoneFound)});
+  record.trials[0].expected = NavigationEnd::kNoneFound;
+  const NavigationSummary summary = Summarize(record, "");
+  EXPECT_EQ(summary.none_found, 2);
+  EXPECT_EQ(summary.right, 1);
+  EXPECT_EQ(nlohmann::json::parse(NavigationRecordText(record)).at("rates").at("none_found"), 2);
+  EXPECT_THAT(NavigationTables(record), HasSubstr("none found"));
+  EXPECT_THAT(NavigationPage(record), HasSubstr("1 of 2 runs"));
 }
 
 TEST(NavigationRecordTest, WhatIsWrittenIsReadBack) {

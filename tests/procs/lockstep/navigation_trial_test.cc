@@ -39,6 +39,9 @@ TEST_F(NavigationTrialTest, ByTheMapEveryKindOfPenEndsAsItShould) {
   }
   const NavigationOutcome closed = Run(settings, PenKind::kUnreachable, 11);
   EXPECT_EQ(closed.end, NavigationEnd::kUnreachable) << closed.why;
+  const NavigationOutcome empty = Run(settings, PenKind::kEmpty, 11);
+  EXPECT_EQ(empty.end, NavigationEnd::kNoneFound) << empty.why;
+  EXPECT_FALSE(empty.track.first_sight_s.has_value());
 }
 
 TEST_F(NavigationTrialTest, TheThesissRuleIsTrappedWhereTheMapIsNot) {
@@ -61,7 +64,9 @@ TEST_F(NavigationTrialTest, WithPerfectOrWithDegradedSensorsItIsReachedToo) {
 TEST_F(NavigationTrialTest, FramesThatNeverArriveShowNothingByGlancesEither) {
   LockstepSettings settings = Settings(SensorQuality::kReal, mission::PlannerKind::kMap);
   const sim::World pen = sim::RandomPen(5, sim::PenKind::kBoxes);
-  const auto sight_s = [&] { return RunNavigationTrial(settings, pen, 5, 20.0)->first_sight_s; };
+  const auto sight_s = [&] {
+    return RunNavigationTrial(settings, pen, 5, 20.0)->track.first_sight_s;
+  };
   EXPECT_TRUE(sight_s().has_value());
   settings.sim.renderer.color.dropped_1 = settings.sim.renderer.floor.dropped_1 = 1.0;
   EXPECT_FALSE(sight_s().has_value());
@@ -80,8 +85,8 @@ TEST(NavigationNamesTest, NamesLeadBackToTheirValues) {
        {SensorQuality::kPerfect, SensorQuality::kReal, SensorQuality::kDegraded}) {
     EXPECT_EQ(SensorQualityFromString(ToString(quality)), quality);
   }
-  for (const NavigationEnd end :
-       {NavigationEnd::kReached, NavigationEnd::kUnreachable, NavigationEnd::kTrapped}) {
+  for (const NavigationEnd end : {NavigationEnd::kReached, NavigationEnd::kUnreachable,
+                                  NavigationEnd::kNoneFound, NavigationEnd::kTrapped}) {
     EXPECT_EQ(NavigationEndFromString(ToString(end)), end);
   }
   EXPECT_FALSE(SensorQualityFromString("good").has_value());

@@ -43,6 +43,28 @@ TEST(PlannerConfigTest, TheShippedFileIsGood) {
   EXPECT_EQ(options.looking.support_heights_m.size(), 2U);
 }
 
+TEST(PlannerConfigTest, InventoryAndViewsAreReadAndMayBeLeftOut) {
+  mission::MissionOptions options;
+  Status status = ReadWith("inventory: false", "inventory: true", &options);
+  ASSERT_TRUE(status.ok()) << status.message();
+  EXPECT_TRUE(options.inventory);
+  EXPECT_EQ(options.patience.views, 3);
+  options = {};
+  status = ReadWith("views: 3 ", "views: 5 ", &options);
+  ASSERT_TRUE(status.ok()) << status.message();
+  EXPECT_FALSE(options.inventory);
+  EXPECT_EQ(options.patience.views, 5);
+  // As files from before are.
+  options = {};
+  status = ReadWith("inventory: false", "", &options);
+  EXPECT_TRUE(status.ok()) << status.message();
+  EXPECT_FALSE(options.inventory);
+  status = ReadWith("views: 3 ", "# ", &options);
+  EXPECT_TRUE(status.ok()) << status.message();
+  EXPECT_EQ(options.patience.views, mission::PatienceOptions().views);
+  EXPECT_THAT(ReadWith("views: 3 ", "views: 0 ", &options).message(), HasSubstr("views"));
+}
+
 TEST(PlannerConfigTest, ADeadPlannersRobotStandsInTime) {
   mission::MissionOptions options;
   ASSERT_TRUE(ReadWith("seed: 1", "seed: 2", &options).ok());
