@@ -95,8 +95,10 @@ Wishes Mission::Step(double now_s) {
       missing_since_s_.reset();
       context_.time_s += step_s;
       next = CheckContact();
-      if (!next) next = StepPhase();
-      if (next && next->phase == Phase::kDone) next = Conclude(*next);
+      if (!next) {
+        next = StepPhase();
+        if (next && next->phase == Phase::kDone) next = Conclude(*next);
+      }
     }
     if (next) Enter(*next);
   }
@@ -264,6 +266,7 @@ Next Mission::NextGeon(const Next& end) {
     }
     return done;
   }
+  context_.target.Clear();
   return {Phase::kSearch, (verdict ? Sentence(*verdict) : end.why) + "; looking for more"};
 }
 

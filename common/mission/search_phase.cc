@@ -26,6 +26,8 @@ active_vision::HeadAngles FirstAim(const Context& context, const HeadSighting& s
 }  // namespace
 
 void SearchPhase::Enter(Context* context, bool near) {
+  // One that was seen and lost is somewhere: what was looked at in vain is in doubt.
+  if (context->target.known()) context->coverage.Clear();
   context->target.Clear();
   context->view.reset();
   context->stop_distance_m = context->options.looking.stop_distance_m;
