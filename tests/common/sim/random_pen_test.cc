@@ -112,6 +112,7 @@ TEST(RandomPenTest, PensAreAboutAsLargeAsTheThesisAndTheRobotStandsFree) {
 
 TEST(RandomPenTest, OneGeonStandsFarOffOnTheFloorOrOnABox) {
   for (const PenKind kind : kAllKinds) {
+    if (kind == PenKind::kEmpty) continue;
     std::set<double> heights_m;
     for (uint64_t seed = 1; seed <= kSeeds; ++seed) {
       SCOPED_TRACE(std::string(ToString(kind)) + " " + std::to_string(seed));
