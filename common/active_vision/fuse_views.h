@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <span>
 
-#include "base/geon_label.h"
 #include "sensor/geon_verdict.h"
 
 namespace geon::active_vision {
@@ -13,14 +11,19 @@ struct FusionOptions {
   double decided_1 = 0.97;  // from this fused posterior on the answer counts as decided
 };
 
+// As `geon train views` found them (view_table.h).
+FusionOptions TrainedFusion();
+
 // What several looks at one target say together: the newest verdict, with the label, posterior and
-// confidence of all. Views count as independent: their posteriors multiply (the prior over the
-// seven shapes is flat). Decided when the fused posterior says so, or when the only view was.
+// confidence of all. Posteriors multiply, each to the power of the weight (the prior over the seven
+// shapes is flat); no view rules a shape out for good. Decided when the fused posterior says so, or
+// when the only view was.
 //
-// Source: Roberts, Arbel and Ferrie on sequential recognition from several views (see Arbel and
-// Ferrie, "Viewpoint selection by navigation through entropy maps", ICCV 1999).
-// `verdicts` must not be empty.
+// Source: Genest and Zidek 1986, "Combining probability distributions" (the logarithmic pool);
+// Arbel and Ferrie, "Viewpoint selection by navigation through entropy maps", ICCV 1999, for
+// recognition from several views.
+// `verdicts` must not be empty (ContractViolation).
 sensor::GeonVerdict FuseViews(std::span<const sensor::GeonVerdict> verdicts,
-                              const FusionOptions& options = {});
+                              const FusionOptions& options = TrainedFusion());
 
 }  // namespace geon::active_vision

@@ -9,7 +9,7 @@
 namespace geon::evaluation {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoDepth_m = std::numeric_limits<double>::infinity();
 constexpr double kSpeckleLength_px = 4.0;
 constexpr double kOutlierReach_px = 20.0;
 constexpr double kJump_m = 0.03;   // a larger step is a jump of depth
@@ -65,7 +65,7 @@ void LoseSteep(std::span<const double> before_m, double steepest_m, std::vector<
   for (size_t i = 1; i < before_m.size(); ++i) {
     const double step_m = std::abs(before_m[i] - before_m[i - 1]);
     if (step_m > steepest_m && step_m <= kJump_m) {
-      (*depths_m)[i - 1] = (*depths_m)[i] = kInfinity;
+      (*depths_m)[i - 1] = (*depths_m)[i] = kNoDepth_m;
     }
   }
 }
@@ -97,7 +97,7 @@ void MoveEdges(std::span<const double> before_m, const FaultOptions& faults,
     fill(edge, i, right_m);
     const std::ptrdiff_t after = std::lround(faults.shadow_px * uniform(random));
     const std::ptrdiff_t before = std::lround(faults.shadow_px * uniform(random));
-    fill(edge - before, edge + after, kInfinity);
+    fill(edge - before, edge + after, kNoDepth_m);
   }
 }
 

@@ -5,11 +5,13 @@
 
 namespace geon::evaluation {
 
-Interval WilsonInterval(const SuccessRate& rate) {
+Interval WilsonInterval(const SuccessRate& rate) { return WilsonInterval(rate.value_1(), rate.n); }
+
+Interval WilsonInterval(double share_1, double n_1) {
   constexpr double kZ = 1.959963984540054;  // 97.5 % of the normal distribution
-  if (rate.n == 0) return {};
-  const double n = rate.n;
-  const double p = rate.value_1();
+  if (n_1 <= 0.0) return {};
+  const double n = n_1;
+  const double p = share_1;
   const double middle = (p + kZ * kZ / (2.0 * n)) / (1.0 + kZ * kZ / n);
   const double half =
       kZ / (1.0 + kZ * kZ / n) * std::sqrt(p * (1.0 - p) / n + kZ * kZ / (4.0 * n * n));

@@ -22,5 +22,7 @@ struct Interval {
 // succession, and statistical inference": unlike rate +- 2 sigma it stays within 0 and 1 and means
 // something when nothing (or everything) went wrong. Without trials: 0 to 1.
 Interval WilsonInterval(const SuccessRate& rate);
+// The same of a share that `n_1` independent trials would tell as well; neither need be whole.
+Interval WilsonInterval(double share_1, double n_1);
 
 }  // namespace geon::evaluation

@@ -20,35 +20,6 @@ struct Setting {
   RangefinderOptions rangefinder;
 };
 
-// Noise from none to two and a half times the usual; every second scan one or two faults more.
-FaultOptions RobotFaults(std::mt19937_64& random) {
-  FaultOptions faults;
-  faults.noise_px = random() % 8 == 0 ? 0.0 : 0.03 * std::exp(Uniform(random, 0.0, std::log(8.0)));
-  faults.misplacement_1 = Uniform(random, 0.0, 0.06);
-  const int more = static_cast<int>(random() % 4) - 1;
-  for (int k = 0; k < more; ++k) {
-    const double strength = Uniform(random, 0.2, 1.3);
-    switch (random() % 5) {
-      case 0:
-        faults.outliers_1 = 0.02 * strength;
-        break;
-      case 1:
-        faults.dropout_1 = 0.12 * strength;
-        break;
-      case 2:
-        faults.speckle_px = 0.2 * strength;
-        break;
-      case 3:
-        faults.floor_cut_m = 0.015 * strength;
-        break;
-      default:
-        faults.attitude_rad = RadiansFromDegrees(2.0 * strength);
-        break;
-    }
-  }
-  return faults;
-}
-
 Setting RobotSetting(std::mt19937_64& random) {
   Setting setting;
   setting.view.range_m = Uniform(random, 0.7, 1.75);
@@ -103,6 +74,34 @@ geons::TriangleMesh MakeNeighbour(const geons::TriangleMesh& shape, std::mt19937
 }
 
 }  // namespace
+
+FaultOptions RobotFaults(std::mt19937_64& random) {
+  FaultOptions faults;
+  faults.noise_px = random() % 8 == 0 ? 0.0 : 0.03 * std::exp(Uniform(random, 0.0, std::log(8.0)));
+  faults.misplacement_1 = Uniform(random, 0.0, 0.06);
+  const int more = static_cast<int>(random() % 4) - 1;
+  for (int k = 0; k < more; ++k) {
+    const double strength = Uniform(random, 0.2, 1.3);
+    switch (random() % 5) {
+      case 0:
+        faults.outliers_1 = 0.02 * strength;
+        break;
+      case 1:
+        faults.dropout_1 = 0.12 * strength;
+        break;
+      case 2:
+        faults.speckle_px = 0.2 * strength;
+        break;
+      case 3:
+        faults.floor_cut_m = 0.015 * strength;
+        break;
+      default:
+        faults.attitude_rad = RadiansFromDegrees(2.0 * strength);
+        break;
+    }
+  }
+  return faults;
+}
 
 std::vector<sensor::ScanSet> MakeTrainingScans(uint64_t seed, uint64_t t, int views) {
   std::mt19937_64 random = TrialRandom(~seed, t);

@@ -1,12 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <random>
 #include <vector>
 
 #include "base/geon_label.h"
+#include "evaluation/scan_conditions.h"
 #include "sensor/scan_set.h"
 
 namespace geon::evaluation {
+
+// What goes wrong while the robot scans: noise from none to two and a half times the usual,
+// stripes misplaced by up to 6 %, and in every second scan one or two faults more.
+FaultOptions RobotFaults(std::mt19937_64& random);
 
 // Scans of one random shape (training_shape.h) for growing the forest of method `evidence`; `truth`
 // is set. Depends on (seed, t) and on `views` alone; shares no scan with MakeRandomScan.

@@ -2,13 +2,12 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
-#include <mutex>
 
 #include "config/text_file.h"
 #include "evaluation/train_forest.h"
 #include "procs/geon/commands.h"
-#include "procs/geon/parallel_for.h"
-#include "procs/geon/progress.h"
+#include "procs/geon/train_views_command.h"
+#include "procs/geon/training_jobs.h"
 
 namespace geon::cli {
 namespace {
@@ -21,19 +20,9 @@ struct TrainArguments {
 
 int Train(const TrainArguments& arguments) {
   evaluation::TrainingReport report;
-  Progress progress("geon train");
-  std::mutex mutex;  // of progress and done_1
-  double done_1 = 0.0;
-  const auto for_each = [&](double share_1, int count, const std::function<void(int)>& task) {
-    ParallelFor(arguments.jobs, count, [&](int k) {
-      task(k);
-      const std::lock_guard lock(mutex);
-      done_1 += share_1 / count;
-      progress.Say(done_1);
-    });
-  };
+  TrainingJobs jobs("geon train", arguments.jobs);
   const evaluation::OwnedForest forest =
-      evaluation::TrainForest(arguments.training, for_each, &report);
+      evaluation::TrainForest(arguments.training, jobs.ForEach(), &report);
   const Status written = config::WriteFileAtomically(
       arguments.output, evaluation::ForestSource(forest, arguments.training));
   if (!written.ok()) {
@@ -73,12 +62,21 @@ void AddTrainCommand(CLI::App& app, int* exit_code) {
       ->add_option("--jobs", arguments->jobs, "scans made and groups of ten trees grown at a time")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  command->add_option("-o,--output", arguments->output, "C++ source of the forest")->required();
+  CLI::Option* output =
+      command->add_option("-o,--output", arguments->output, "C++ source of the forest")->required();
   command->footer(
       "Same options, same bytes, whatever the number of jobs. To use it: geon train --jobs 2 -o "
       "common/recognition/trained_forest.inc, "
       "then build again.");
-  command->callback([arguments, exit_code] { *exit_code = Train(*arguments); });
+  CLI::App* views = AddTrainViewsCommand(*command, exit_code);
+  // The forest's options are not those of `views`.
+  views->preparse_callback([output](size_t) { output->required(false); });
+  for (CLI::Option* option : command->get_options()) {
+    if (option != command->get_help_ptr()) views->excludes(option);
+  }
+  command->callback([arguments, command, exit_code] {
+    if (command->get_subcommands().empty()) *exit_code = Train(*arguments);
+  });
 }
 
 }  // namespace geon::cli
