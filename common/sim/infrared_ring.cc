@@ -46,7 +46,8 @@ double InfraredRing::Sample(int sensor, const RingPose& pose) {
     const double off_axis_rad = side * options_.half_cone_rad;
     const auto hit = surroundings_->CastRay(
         X_WS.translation(),
-        X_WS.linear() * Eigen::Vector3d(std::cos(off_axis_rad), std::sin(off_axis_rad), 0.0));
+        X_WS.linear() * Eigen::Vector3d(std::cos(off_axis_rad), std::sin(off_axis_rad), 0.0),
+        options_.reach_m);
     if (!hit || hit->distance_m > options_.reach_m) continue;
     const double spread_1 = hit->distance_m / options_.half_power_distance_m;
     light_1 = std::max(light_1, hit->reflectance_1 / (1.0 + spread_1 * spread_1));

@@ -80,7 +80,9 @@ Scene::Scene(std::vector<Body> bodies, const Lighting& lighting)
             "Scene: unexpected body number");
     facets_.Append(mesh);
     if (bodies_[k].obstacle && geons::Bounds(mesh).min().z() < kRobotHeight_m) {
-      feet_W_m_.push_back(ConvexFootprint(mesh));
+      feet_W_.push_back({ConvexFootprint(mesh), {}});
+      for (const Eigen::Vector2d& p_m : feet_W_.back().outline_m)
+        feet_W_.back().bounds_m.extend(p_m);
     }
   }
   rtcCommitScene(tracer_->scene);
@@ -162,25 +164,47 @@ void Scene::Illuminate(const Eigen::Vector3f& light, std::span<const Eigen::Vect
 }
 
 std::optional<RayHit> Scene::CastRay(const Eigen::Vector3d& origin_W_m,
-                                     const Eigen::Vector3d& direction_W) const {
+                                     const Eigen::Vector3d& direction_W, double reach_m) const {
   const Eigen::Vector3f origin = origin_W_m.cast<float>();
   const Eigen::Vector3f direction = direction_W.cast<float>();
-  Sighting sighting;
-  Look(origin, {&direction, 1}, {&sighting, 1});
-  if (sighting.body < 0) return std::nullopt;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  constexpr double kBeyond_1 = 1.01;  // not to miss by rounding what is at the reach's end
+  RTCRayHit ray;
+  ray.ray = {origin.x(),
+             origin.y(),
+             origin.z(),
+             0.0F,
+             direction.x(),
+             direction.y(),
+             direction.z(),
+             0.0F,
+             static_cast<float>(kBeyond_1 * reach_m),
+             ~0U,
+             0,
+             0};
+  ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(tracer_->scene, &context, &ray);
+  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const Body& body = bodies_[ray.hit.geomID];
+  const Eigen::Vector3f p_W_m = origin + ray.ray.tfar * direction;
   RayHit hit;
-  hit.distance_m = static_cast<double>((sighting.p_W_m - origin).norm());
-  hit.normal_W = sighting.normal_W.cast<double>().normalized();
-  hit.reflectance_1 =
-      static_cast<double>(bodies_[static_cast<size_t>(sighting.body)].material.laser_reflectance_1);
+  hit.distance_m = static_cast<double>((p_W_m - origin).norm());
+  hit.normal_W = SmoothNormal(body.surface_W, ray.hit.primID, ray.hit.u, ray.hit.v, direction)
+                     .cast<double>()
+                     .normalized();
+  hit.reflectance_1 = static_cast<double>(body.material.laser_reflectance_1);
   return hit;
 }
 
 std::vector<DiscContact> Scene::ContactsOfDisc(const Eigen::Vector2d& center_W_m,
                                                double radius_m) const {
+  const Eigen::Vector2d reach_m = Eigen::Vector2d::Constant(radius_m + kContactReach_m);
+  const Eigen::AlignedBox2d around(center_W_m - reach_m, center_W_m + reach_m);
   std::vector<DiscContact> contacts;
-  for (const auto& foot : feet_W_m_) {
-    const NearestPoint nearest = NearestPointOfConvex(foot, center_W_m);
+  for (const Foot& foot : feet_W_) {
+    if (!foot.bounds_m.intersects(around)) continue;
+    const NearestPoint nearest = NearestPointOfConvex(foot.outline_m, center_W_m);
     const double clearance_m = nearest.distance_m - radius_m;
     if (clearance_m > kContactReach_m) continue;
     contacts.push_back({std::atan2(nearest.direction.y(), nearest.direction.x()), clearance_m});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <memory>
 #include <optional>
 #include <span>
@@ -41,7 +42,8 @@ class Scene : public Surroundings {
   Scene& operator=(const Scene&) = delete;
 
   std::optional<RayHit> CastRay(const Eigen::Vector3d& origin_W_m,
-                                const Eigen::Vector3d& direction_W) const override;
+                                const Eigen::Vector3d& direction_W,
+                                double reach_m = kEndless_m) const override;
   // A body's foot is the convex hull of its outline from above.
   std::vector<DiscContact> ContactsOfDisc(const Eigen::Vector2d& center_W_m,
                                           double radius_m) const override;
@@ -60,11 +62,14 @@ class Scene : public Surroundings {
 
  private:
   struct Tracer;  // Embree's handles
+  struct Foot {
+    std::vector<Eigen::Vector2d> outline_m;  // convex, counter-clockwise
+    Eigen::AlignedBox2d bounds_m;
+  };
   std::vector<Body> bodies_;
   Lighting lighting_;
   Facets facets_;
-  std::vector<std::vector<Eigen::Vector2d>>
-      feet_W_m_;  // convex, counter-clockwise; of obstacles only
+  std::vector<Foot> feet_W_;  // of obstacles only
   std::unique_ptr<Tracer> tracer_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -23,14 +24,17 @@ struct DiscContact {
 // robot itself is no part of it. Frame W is the pen's, metres, z up from the floor.
 class Surroundings {
  public:
+  static constexpr double kEndless_m = std::numeric_limits<double>::infinity();
   // How far from the rim ContactsOfDisc looks.
   static constexpr double kContactReach_m = 0.05;
 
   virtual ~Surroundings() = default;
 
-  // The first surface along the ray; `direction_W` is a unit vector. Nothing when the ray escapes.
+  // The first surface along the ray; `direction_W` is a unit vector. Nothing when the ray escapes;
+  // of what is farther than `reach_m` the caller need not be told.
   virtual std::optional<RayHit> CastRay(const Eigen::Vector3d& origin_W_m,
-                                        const Eigen::Vector3d& direction_W) const = 0;
+                                        const Eigen::Vector3d& direction_W,
+                                        double reach_m = kEndless_m) const = 0;
 
   // For each obstacle that stands in the way of an upright disc (the body of the robot, from the
   // floor up) and comes within kContactReach_m of its rim: where it is nearest.

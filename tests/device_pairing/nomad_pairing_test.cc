@@ -22,7 +22,7 @@ class SquareRoom : public sim::Surroundings {
  public:
   explicit SquareRoom(double reach_m) : reach_m_(reach_m) {}
   std::optional<sim::RayHit> CastRay(const Eigen::Vector3d& origin,
-                                     const Eigen::Vector3d& direction) const override {
+                                     const Eigen::Vector3d& direction, double) const override {
     std::optional<sim::RayHit> nearest;
     for (const int axis : {0, 1}) {
       if (std::abs(direction[axis]) < 1e-9) continue;

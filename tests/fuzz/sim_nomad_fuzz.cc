@@ -10,8 +10,8 @@ namespace {
 
 class FreeSpace : public geon::sim::Surroundings {
  public:
-  std::optional<geon::sim::RayHit> CastRay(const Eigen::Vector3d&,
-                                           const Eigen::Vector3d&) const override {
+  std::optional<geon::sim::RayHit> CastRay(const Eigen::Vector3d&, const Eigen::Vector3d&,
+                                           double) const override {
     return std::nullopt;
   }
   std::vector<geon::sim::DiscContact> ContactsOfDisc(const Eigen::Vector2d&,

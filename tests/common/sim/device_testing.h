@@ -20,7 +20,8 @@ namespace geon::sim {
 // Nothing anywhere.
 class FreeSpace : public Surroundings {
  public:
-  std::optional<RayHit> CastRay(const Eigen::Vector3d&, const Eigen::Vector3d&) const override {
+  std::optional<RayHit> CastRay(const Eigen::Vector3d&, const Eigen::Vector3d&,
+                                double) const override {
     return std::nullopt;
   }
   std::vector<DiscContact> ContactsOfDisc(const Eigen::Vector2d&, double) const override {
@@ -39,7 +40,7 @@ class Walls : public Surroundings {
       : walls_(std::move(walls)), reflectance_1_(reflectance_1) {}
 
   std::optional<RayHit> CastRay(const Eigen::Vector3d& origin_W_m,
-                                const Eigen::Vector3d& direction_W) const override {
+                                const Eigen::Vector3d& direction_W, double) const override {
     std::optional<RayHit> nearest;
     for (const Wall& wall : walls_) {
       const double closing = -wall.normal.dot(direction_W.head<2>());

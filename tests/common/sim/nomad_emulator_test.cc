@@ -307,8 +307,8 @@ class LowWall : public Walls {
  public:
   LowWall() : Walls({{{-1.0, 0.0}, -1.5}}) {}
   std::optional<RayHit> CastRay(const Eigen::Vector3d& origin_W_m,
-                                const Eigen::Vector3d& direction_W) const override {
-    const auto hit = Walls::CastRay(origin_W_m, direction_W);
+                                const Eigen::Vector3d& direction_W, double reach_m) const override {
+    const auto hit = Walls::CastRay(origin_W_m, direction_W, reach_m);
     if (!hit || (origin_W_m + hit->distance_m * direction_W).z() > 0.546) return std::nullopt;
     return hit;
   }

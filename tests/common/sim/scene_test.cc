@@ -39,6 +39,15 @@ TEST(SceneTest, AboveTheWallsRaysLeaveThePen) {
   EXPECT_FALSE(scene->CastRay({1.5, 1.0, 0.66}, {-1, 0, 0}).has_value());
 }
 
+TEST(SceneTest, WithinReachARayMeetsTheSame) {
+  const auto scene = SceneFrom("");
+  const auto endless = scene->CastRay({1.5, 1.0, 0.3}, {-1, 0, 0});
+  const auto reaching = scene->CastRay({1.5, 1.0, 0.3}, {-1, 0, 0}, 1.5);
+  ASSERT_TRUE(endless && reaching);
+  EXPECT_EQ(endless->distance_m, reaching->distance_m);
+  EXPECT_FALSE(scene->CastRay({1.5, 1.0, 0.3}, {-1, 0, 0}, 1.4).has_value());
+}
+
 TEST(SceneTest, EllipsoidIsMetOnItsSurfaceWithItsNormal) {
   const auto scene =
       SceneFrom("  - {geon: ellipsoid, size_m: [0.2, 0.2, 0.2], x_m: 1.5, y_m: 3.0}\n");

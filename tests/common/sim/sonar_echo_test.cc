@@ -29,8 +29,8 @@ class Panel : public Walls {
       : Walls({{{-std::cos(slant_rad), -std::sin(slant_rad)}, -std::cos(slant_rad)}}),
         from_y_m_(from_y_m) {}
   std::optional<RayHit> CastRay(const Eigen::Vector3d& origin_W_m,
-                                const Eigen::Vector3d& direction_W) const override {
-    const auto hit = Walls::CastRay(origin_W_m, direction_W);
+                                const Eigen::Vector3d& direction_W, double reach_m) const override {
+    const auto hit = Walls::CastRay(origin_W_m, direction_W, reach_m);
     if (!hit || (origin_W_m + hit->distance_m * direction_W).y() < from_y_m_) return std::nullopt;
     return hit;
   }
@@ -44,7 +44,7 @@ class Pole : public FreeSpace {
  public:
   explicit Pole(double away_m) : axis_m_(away_m + kRadius_m, 0.0) {}
   std::optional<RayHit> CastRay(const Eigen::Vector3d& origin_W_m,
-                                const Eigen::Vector3d& direction_W) const override {
+                                const Eigen::Vector3d& direction_W, double) const override {
     const Eigen::Vector2d to_axis_m = axis_m_ - origin_W_m.head<2>();
     const Eigen::Vector2d direction = direction_W.head<2>().normalized();
     const double along_m = to_axis_m.dot(direction);
@@ -169,7 +169,7 @@ TEST(SonarEchoTest, TheFloorIsNotHeard) {
   class Floor : public FreeSpace {
    public:
     std::optional<RayHit> CastRay(const Eigen::Vector3d& origin_W_m,
-                                  const Eigen::Vector3d& direction_W) const override {
+                                  const Eigen::Vector3d& direction_W, double) const override {
       if (direction_W.z() >= 0.0) return std::nullopt;
       return RayHit{-origin_W_m.z() / direction_W.z(), Eigen::Vector3d::UnitZ(), 0.5};
     }
