@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -22,15 +23,18 @@ class ClearanceField {
 
   const GridWindow& window() const { return window_; }
   // Infinite where there is no obstacle at all; the cell must be in the window.
-  float At(GridCell cell) const { return distance_m_[window_.Index(cell)]; }
+  float At(GridCell cell) const { return std::sqrt(nearest_[window_.Index(cell)].squared_m2); }
 
  private:
+  // The obstacle that a cell knows to be nearest, and its distance's square; at first none.
+  struct Nearest {
+    float x_W_m, y_W_m, squared_m2;
+  };
   void Sweep(const OccupancyGrid& grid, int step);
 
   GridWindow window_;
-  std::vector<Eigen::Vector2f> obstacles_W_m_;
-  std::vector<int> nearest_;  // index of the obstacle, -1: none yet
-  std::vector<float> distance_m_;
+  std::vector<Nearest> nearest_;
+  std::vector<float> middle_x_W_m_;  // of the columns
 };
 
 }  // namespace geon::navigation

@@ -52,11 +52,19 @@ class CostToGo {
   const GridWindow& window() const { return window_; }
 
  private:
+  struct Cell {
+    float cost_m;
+    float per_metre_1;  // what a metre to here from a neighbour costs; infinite: none leads here
+    uint8_t next;       // which neighbour
+    bool tight;         // nearer to an obstacle than the least clearance
+  };
+  void Weigh(const OccupancyGrid& grid, const ClearanceField& clearance);
+
   CostToGoOptions options_;
   GridWindow window_;
-  std::vector<float> cost_m_;
-  std::vector<uint8_t> next_;  // which neighbour
-  std::vector<std::vector<GridCell>> buckets_;
+  GridWindow framed_;  // the window with a frame of cells that nothing leads to
+  std::vector<Cell> cells_;
+  std::vector<std::vector<size_t>> buckets_;  // of cells, by cost
 };
 
 }  // namespace geon::navigation

@@ -41,12 +41,16 @@ OccupancyGrid::OccupancyGrid(const OccupancyGridOptions& options) : options_(opt
   Require(!error, "OccupancyGridOptions: " + error.value_or(""));
   half_ = static_cast<int>(std::ceil(options.reach_m / options.cell_m));
   cells_.resize(static_cast<size_t>(4) * static_cast<size_t>(half_) * static_cast<size_t>(half_));
+  occupied_.resize(cells_.size(), 0);
 }
 
 void OccupancyGrid::Clear() {
   if (any_known_) {
     for (int y = known_.first.y; y <= known_.last.y; ++y) {
-      for (int x = known_.first.x; x <= known_.last.x; ++x) *At(GridCell{x, y}) = {};
+      for (int x = known_.first.x; x <= known_.last.x; ++x) {
+        *At({x, y}) = {};
+        occupied_[Index({x, y})] = 0;
+      }
     }
   }
   any_known_ = heard_any_ = false;
@@ -75,64 +79,39 @@ GridWindow OccupancyGrid::WindowWith(std::span<const Eigen::Vector2d> places_W_m
   return window;
 }
 
-bool OccupancyGrid::Covers(GridCell cell) const {
-  return cell.x >= -half_ && cell.x < half_ && cell.y >= -half_ && cell.y < half_;
-}
-
-OccupancyGrid::Evidence* OccupancyGrid::At(GridCell cell) {
-  return &cells_[static_cast<size_t>(cell.y + half_) * static_cast<size_t>(2 * half_) +
-                 static_cast<size_t>(cell.x + half_)];
-}
-
-const OccupancyGrid::Evidence* OccupancyGrid::At(GridCell cell) const {
-  return const_cast<OccupancyGrid*>(this)->At(cell);
-}
-
 std::optional<GridWindow> OccupancyGrid::known() const {
   return any_known_ ? std::optional(known_) : std::nullopt;
 }
 
 std::optional<Eigen::Vector2d> OccupancyGrid::ObstacleIn(GridCell cell) const {
-  if (!Covers(cell)) return std::nullopt;
-  const Evidence* evidence = At(cell);
-  return evidence->occupied ? std::optional<Eigen::Vector2d>(evidence->at_W_m.cast<double>())
-                            : std::nullopt;
-}
-
-bool OccupancyGrid::IsSeen(GridCell cell) const {
-  constexpr float kForgotten_1 = 0.1F;
-  return Covers(cell) && std::abs(At(cell)->seen_1) > kForgotten_1;
+  if (!Covers(cell) || occupied_[Index(cell)] == 0) return std::nullopt;
+  return cells_[Index(cell)].at_W_m.cast<double>();
 }
 
 void OccupancyGrid::ObstaclesNear(const Eigen::Vector2d& p_W_m, double reach_m,
                                   std::vector<Eigen::Vector2d>* points_W_m) const {
   points_W_m->clear();
-  if (!any_known_) return;
   const Eigen::Vector2d reach(reach_m, reach_m);
-  const GridCell low = CellAt(p_W_m - reach);
-  const GridCell high = CellAt(p_W_m + reach);
-  for (int y = std::max(low.y, known_.first.y); y <= std::min(high.y, known_.last.y); ++y) {
-    for (int x = std::max(low.x, known_.first.x); x <= std::min(high.x, known_.last.x); ++x) {
-      const Evidence* evidence = At(GridCell{x, y});
-      if (evidence->occupied) points_W_m->push_back(evidence->at_W_m.cast<double>());
-    }
-  }
+  VisitObstacles({CellAt(p_W_m - reach), CellAt(p_W_m + reach)},
+                 [&](GridCell, const Eigen::Vector2d& at_W_m) { points_W_m->push_back(at_W_m); });
 }
 
 // What follows from all that is known of a cell.
 void OccupancyGrid::Judge(Evidence* evidence) {
-  const double limit_1 = evidence->occupied ? options_.free_again_1 : options_.occupied_1;
+  uint8_t& was_occupied = Occupied(evidence);
+  const double limit_1 = was_occupied != 0 ? options_.free_again_1 : options_.occupied_1;
   const bool heard = evidence->heard_1 > limit_1 && evidence->seen_1 > options_.surely_floor_1;
-  const bool occupied = evidence->seen_1 > limit_1 || evidence->felt_1 > limit_1 || heard;
-  if (occupied == evidence->occupied) return;
-  evidence->occupied = occupied;
+  const uint8_t occupied = evidence->seen_1 > limit_1 || evidence->felt_1 > limit_1 || heard;
+  if (occupied == was_occupied) return;
+  was_occupied = occupied;
   ++revision_;
 }
 
 // Remembers where an obstacle was met.
 void OccupancyGrid::Meet(const Eigen::Vector2d& p_W_m, Evidence* evidence) {
   const Eigen::Vector2f p_m = p_W_m.cast<float>();
-  evidence->at_W_m = evidence->occupied ? Eigen::Vector2f(0.5F * (evidence->at_W_m + p_m)) : p_m;
+  const bool occupied = Occupied(evidence) != 0;
+  evidence->at_W_m = occupied ? Eigen::Vector2f(0.5F * (evidence->at_W_m + p_m)) : p_m;
 }
 
 template <typename Visit>
@@ -280,7 +259,7 @@ void OccupancyGrid::Fade(double now_s) {
       evidence->seen_1 *= seen_1;
       evidence->heard_1 *= heard_1;
       evidence->felt_1 *= felt_1;
-      if (evidence->occupied) Judge(evidence);
+      if (Occupied(evidence) != 0) Judge(evidence);
     }
   }
 }
@@ -293,7 +272,7 @@ void OccupancyGrid::ForgetDoubtful() {
       Evidence* evidence = At(GridCell{x, y});
       evidence->heard_1 = std::min(evidence->heard_1, 0.0F);
       if (evidence->seen_1 < kFirm_1) evidence->seen_1 = std::min(evidence->seen_1, 0.0F);
-      if (evidence->occupied) Judge(evidence);
+      if (Occupied(evidence) != 0) Judge(evidence);
     }
   }
 }

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <span>
 #include <string>
@@ -109,11 +112,19 @@ class OccupancyGrid {
   Eigen::Vector2d Middle(GridCell cell) const {
     return {(cell.x + 0.5) * options_.cell_m, (cell.y + 0.5) * options_.cell_m};
   }
-  bool Covers(GridCell cell) const;
+  bool Covers(GridCell cell) const {
+    return cell.x >= -half_ && cell.x < half_ && cell.y >= -half_ && cell.y < half_;
+  }
   // Where in the cell an obstacle is; nothing where there is none, or off the map.
   std::optional<Eigen::Vector2d> ObstacleIn(GridCell cell) const;
+  // Calls visit(cell, place) for all obstacles of a window, row by row.
+  template <typename Visit>
+  void VisitObstacles(const GridWindow& window, Visit visit) const;
   // Whether the floor camera has ever looked there and its evidence is not forgotten.
-  bool IsSeen(GridCell cell) const;
+  bool IsSeen(GridCell cell) const {
+    constexpr float kForgotten_1 = 0.1F;
+    return Covers(cell) && std::abs(cells_[Index(cell)].seen_1) > kForgotten_1;
+  }
   // All obstacles within a square of half side `reach_m` round a place, into `points_W_m`.
   void ObstaclesNear(const Eigen::Vector2d& p_W_m, double reach_m,
                      std::vector<Eigen::Vector2d>* points_W_m) const;
@@ -129,13 +140,18 @@ class OccupancyGrid {
     float seen_1 = 0.0F;
     float heard_1 = 0.0F;
     float felt_1 = 0.0F;
-    bool occupied = false;
     Eigen::Vector2f at_W_m = Eigen::Vector2f::Zero();  // where it was met
     int64_t picture = 0;                               // the last, or firing, that told of it
   };
   Evidence* Touch(GridCell cell);  // is known of from now on
-  Evidence* At(GridCell cell);
-  const Evidence* At(GridCell cell) const;
+  Evidence* At(GridCell cell) { return &cells_[Index(cell)]; }
+  size_t Index(GridCell cell) const {
+    return static_cast<size_t>(cell.y + half_) * static_cast<size_t>(2 * half_) +
+           static_cast<size_t>(cell.x + half_);
+  }
+  uint8_t& Occupied(const Evidence* evidence) {
+    return occupied_[static_cast<size_t>(evidence - cells_.data())];
+  }
   void Meet(const Eigen::Vector2d& p_W_m, Evidence* evidence);
   void Judge(Evidence* evidence);
   void Fade(double now_s);
@@ -146,6 +162,7 @@ class OccupancyGrid {
   OccupancyGridOptions options_;
   int half_;  // cells from the origin to a side
   std::vector<Evidence> cells_;
+  std::vector<uint8_t> occupied_;  // 1: by an obstacle; apart from the evidence, to be found fast
   GridWindow known_;
   bool any_known_ = false;
   double faded_s_ = 0.0;
@@ -155,5 +172,25 @@ class OccupancyGrid {
   std::array<double, sensor::kSonarCount> last_range_m_{};
   bool heard_any_ = false;
 };
+
+template <typename Visit>
+void OccupancyGrid::VisitObstacles(const GridWindow& window, Visit visit) const {
+  if (!any_known_) return;
+  const GridCell first{std::max(window.first.x, known_.first.x),
+                       std::max(window.first.y, known_.first.y)};
+  const GridCell last{std::min(window.last.x, known_.last.x),
+                      std::min(window.last.y, known_.last.y)};
+  if (first.x > last.x) return;
+  for (int y = first.y; y <= last.y; ++y) {
+    const uint8_t* const row = &occupied_[Index({first.x, y})];
+    const uint8_t* const end = row + (last.x - first.x + 1);
+    for (const uint8_t* at = row; at != end; ++at) {
+      at = static_cast<const uint8_t*>(std::memchr(at, 1, static_cast<size_t>(end - at)));
+      if (at == nullptr) break;
+      const GridCell cell{first.x + static_cast<int>(at - row), y};
+      visit(cell, Eigen::Vector2d(cells_[Index(cell)].at_W_m.template cast<double>()));
+    }
+  }
+}
 
 }  // namespace geon::navigation
