@@ -66,4 +66,25 @@ NearestPoint NearestPointOfConvex(const std::vector<Eigen::Vector2d>& polygon_m,
   return nearest;
 }
 
+double DistanceAlongRay(const std::vector<Eigen::Vector2d>& polygon_m,
+                        const Eigen::Vector2d& from_m, const Eigen::Vector2d& direction) {
+  constexpr double kEndless_m = std::numeric_limits<double>::infinity();
+  double enters_m = 0.0;
+  double leaves_m = kEndless_m;
+  for (size_t k = 0; k < polygon_m.size(); ++k) {
+    const Eigen::Vector2d edge = polygon_m[(k + 1) % polygon_m.size()] - polygon_m[k];
+    // Left of the edge is inside: how far from it, and how fast that grows along the ray.
+    const double inside = Cross(edge, from_m - polygon_m[k]);
+    const double grows = Cross(edge, direction);
+    if (grows > 0.0) {
+      enters_m = std::max(enters_m, -inside / grows);
+    } else if (grows < 0.0) {
+      leaves_m = std::min(leaves_m, -inside / grows);
+    } else if (inside < 0.0) {
+      return kEndless_m;
+    }
+  }
+  return enters_m <= leaves_m ? enters_m : kEndless_m;
+}
+
 }  // namespace geon::sim

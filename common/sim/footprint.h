@@ -20,4 +20,9 @@ struct NearestPoint {
 NearestPoint NearestPointOfConvex(const std::vector<Eigen::Vector2d>& polygon_m,
                                   const Eigen::Vector2d& point_m);
 
+// How far it is along a ray (of unit direction) to such a polygon of at least three vertices: 0
+// from inside, infinite where the ray passes it. Of less than three it may be told too short.
+double DistanceAlongRay(const std::vector<Eigen::Vector2d>& polygon_m,
+                        const Eigen::Vector2d& from_m, const Eigen::Vector2d& direction);
+
 }  // namespace geon::sim

@@ -40,106 +40,156 @@ Glancer::Glancer(std::shared_ptr<const Scene> scene, const BuiltRig& rig,
       geon_bodies_.push_back(static_cast<int>(k));
     }
   }
-  for (int direction = 0; direction < kDirections; ++direction) {
-    GroundSteps steps{direction, 0, {}};
+  for (int k = 0; k < kDirections; ++k) {
+    const double azimuth_rad = kHalfFan_rad * (1.0 - 2.0 * (k + 0.5) / kDirections);
+    GroundDirection direction;
+    direction.azimuth_R = {std::cos(azimuth_rad), std::sin(azimuth_rad)};
     for (int step = 1; step <= kSteps; ++step) {
-      const GroundPlace place = PlaceAt(direction, static_cast<double>(step) / kSteps);
-      if (place.in_picture) {
-        if (steps.places.empty()) steps.first = step;
-        steps.places.push_back(place);
-      } else if (!steps.places.empty()) {
-        break;
+      const GroundPlace place = PlaceAt(direction.azimuth_R, static_cast<double>(step) / kSteps);
+      const std::optional<Eigen::Vector2d> pixel_px = PixelOf(place);
+      if (!pixel_px && direction.places.empty()) continue;
+      if (!pixel_px) break;
+      if (direction.places.empty()) {
+        direction.first_step = step;
+        direction.begin_px = *pixel_px;
       }
+      direction.end_px = *pixel_px;
+      direction.places.push_back(place);
     }
-    if (!steps.places.empty()) ground_.push_back(std::move(steps));
+    if (!direction.places.empty()) ground_.push_back(std::move(direction));
   }
 }
 
-bool Glancer::InGlare(const Sighting& sighting, const Eigen::Vector3f& eye_W_m) const {
+bool Glancer::InGlare(const Eigen::Vector2d& p_W_m, const Eigen::Vector3d& p_WC_m) const {
   if (floor_body_ < 0) return false;
-  constexpr float kSeen_1 = 0.1F;  // of white: enough to be of another colour than the floor
-  const float mirror_1 = scene_->bodies()[static_cast<size_t>(floor_body_)].material.mirror_1;
+  const Material& floor = scene_->bodies()[static_cast<size_t>(floor_body_)].material;
+  if (floor.mirror_1 <= 0.0F) return false;
+  const Eigen::Vector3f place_W_m(static_cast<float>(p_W_m.x()), static_cast<float>(p_W_m.y()), 0);
   const Eigen::Vector3f lamp_W_m = scene_->lighting().lamp_W_m.cast<float>();
-  if (mirror_1 * MirroredLamp_1(sighting.p_W_m, eye_W_m, lamp_W_m) < kSeen_1) return false;
+  const float mirrored_1 =
+      kLampShare_1 * floor.mirror_1 * MirroredLamp_1(place_W_m, p_WC_m.cast<float>(), lamp_W_m);
+  // Twice as bright as the floor is no floor's colour any more.
+  if (mirrored_1 <= floor.color_1.mean()) return false;
   uint8_t lit = 0;
-  scene_->Illuminate(lamp_W_m, {&sighting.p_W_m, 1}, {&lit, 1});
+  scene_->Illuminate(lamp_W_m, {&place_W_m, 1}, {&lit, 1});
   return lit != 0;
 }
 
-Glancer::GroundPlace Glancer::PlaceAt(int direction, double share_1) const {
-  const Eigen::Vector3d& p_RC_m = rig_.X_RF.translation();
-  const double azimuth_rad = kHalfFan_rad * (1.0 - 2.0 * (direction + 0.5) / kDirections);
-  const double distance_m =
-      p_RC_m.z() * std::tan(share_1 * std::atan2(options_.floor_range_m, p_RC_m.z()));
-  const Eigen::Vector3d down_R_m(distance_m * std::cos(azimuth_rad),
-                                 distance_m * std::sin(azimuth_rad), -p_RC_m.z());
-  const Eigen::Vector3d p_F_m = rig_.X_RF.linear().transpose() * down_R_m;
+Glancer::GroundPlace Glancer::PlaceAt(const Eigen::Vector2d& azimuth_R, double share_1) const {
+  const double height_m = rig_.X_RF.translation().z();
   GroundPlace place;
-  place.ray_F = p_F_m.cast<float>();
-  const geometry::PinholeCamera& camera = rig_.floor_camera.ideal;
-  if (p_F_m.z() < 0.05 || !IsNearPicture(camera, camera.Project(p_F_m))) return place;
-  place.pixel_px = rig_.floor_camera.Project(p_F_m);
-  place.in_picture = camera.Contains(place.pixel_px);
+  place.distance_m = height_m * std::tan(share_1 * std::atan2(options_.floor_range_m, height_m));
+  place.p_F_m =
+      rig_.X_RF.linear().transpose() * Eigen::Vector3d(place.distance_m * azimuth_R.x(),
+                                                       place.distance_m * azimuth_R.y(), -height_m);
   return place;
 }
 
-std::vector<GroundGlance> Glancer::Floor(const RigPose& pose, int64_t seq) {
-  const geometry::RigidTransform X_WC = pose.X_WR * rig_.X_RF;
+std::optional<Eigen::Vector2d> Glancer::PixelOf(const GroundPlace& place) const {
+  const geometry::PinholeCamera& camera = rig_.floor_camera.ideal;
+  if (place.p_F_m.z() < 0.05 || !IsNearPicture(camera, camera.Project(place.p_F_m))) {
+    return std::nullopt;
+  }
+  const Eigen::Vector2d pixel_px = rig_.floor_camera.Project(place.p_F_m);
+  return camera.Contains(pixel_px) ? std::optional(pixel_px) : std::nullopt;
+}
+
+std::vector<Glancer::OpenWay> Glancer::OpenWays(const geometry::RigidTransform& X_WR) const {
+  // Less than what is open, so that rays see no edge there by rounding. A robot that tilts does not
+  // look straight along the ground.
+  constexpr double kShort_m = 0.01;
+  const bool level = X_WR.linear()(2, 2) == 1.0;
+  const Eigen::Vector2d eye_W_m = (X_WR * rig_.X_RF.translation()).head<2>();
+  std::vector<OpenWay> ways;
+  for (const GroundDirection& direction : ground_) {
+    const Eigen::Vector2d bearing_W = X_WR.linear().topLeftCorner<2, 2>() * direction.azimuth_R;
+    ways.push_back(
+        {eye_W_m, bearing_W, level ? scene_->OpenGround_m(eye_W_m, bearing_W) - kShort_m : 0.0});
+  }
+  return ways;
+}
+
+void Glancer::LookForFloor(const geometry::RigidTransform& X_WR, std::span<const OpenWay> ways,
+                           std::span<GroundQuestion> questions) {
+  const geometry::RigidTransform X_WC = X_WR * rig_.X_RF;
   const Eigen::Matrix3f R_WC = X_WC.linear().cast<float>();
-  const auto look = [&] {
-    sightings_.resize(directions_.size());
-    scene_->Look(X_WC.translation().cast<float>(), directions_, sightings_);
-  };
-  const auto is_floor = [&](const Sighting& sighting) {
-    return sighting.body == floor_body_ && !InGlare(sighting, X_WC.translation().cast<float>());
+  const auto is_open = [&](const GroundQuestion& question) {
+    return question.place.distance_m < ways[question.direction].open_m;
   };
   directions_.clear();
-  for (const GroundSteps& steps : ground_) {
-    for (const GroundPlace& place : steps.places) directions_.push_back(R_WC * place.ray_F);
+  for (const GroundQuestion& question : questions) {
+    if (!is_open(question)) directions_.push_back(R_WC * question.place.p_F_m.cast<float>());
   }
-  look();
-  // Floor as far as one share of the way, something else from the other on; then the edge between
-  // them is halved until it is found.
-  struct Edge {
-    double floor_1, other_1;
-    bool any_floor, obstacle;
-  };
-  std::vector<Edge> edges;
+  sightings_.resize(directions_.size());
+  scene_->Look(X_WC.translation().cast<float>(), directions_, sightings_);
   auto sighting = sightings_.begin();
-  for (const GroundSteps& steps : ground_) {
-    const auto end = sighting + static_cast<ptrdiff_t>(steps.places.size());
-    const auto other = std::find_if_not(sighting, end, is_floor);
-    const double step = steps.first + static_cast<double>(other - sighting);
-    edges.push_back({(step - 1.0) / kSteps, step / kSteps, other != sighting, other != end});
-    sighting = end;
-  }
-  for (int round = 0; round < kHalvings; ++round) {
-    directions_.clear();
-    for (size_t k = 0; k < edges.size(); ++k) {
-      const double middle_1 = 0.5 * (edges[k].floor_1 + edges[k].other_1);
-      directions_.push_back(R_WC * PlaceAt(ground_[k].direction, middle_1).ray_F);
+  for (GroundQuestion& question : questions) {
+    const OpenWay& way = ways[question.direction];
+    Eigen::Vector2d p_W_m = way.from_W_m + question.place.distance_m * way.bearing_W;
+    question.floor = true;
+    if (!is_open(question)) {
+      question.floor = sighting->body == floor_body_;
+      p_W_m = sighting->p_W_m.head<2>().cast<double>();
+      ++sighting;
     }
-    look();
+    question.floor = question.floor && !InGlare(p_W_m, X_WC.translation());
+  }
+}
+
+std::vector<GroundGlance> Glancer::Floor(const RigPose& pose, int64_t seq) {
+  const std::vector<OpenWay> ways = OpenWays(pose.X_WR);
+  // Floor as far as one share of the way, something else from the other on ...
+  struct Edge {
+    size_t floor_places = 0;
+    bool obstacle = false;
+    double floor_1 = 0.0, other_1 = 0.0;
+  };
+  std::vector<Edge> edges(ground_.size());
+  std::vector<GroundQuestion> questions;
+  for (size_t place = 0; place < kSteps; ++place) {
+    questions.clear();
     for (size_t k = 0; k < edges.size(); ++k) {
+      if (edges[k].obstacle || place >= ground_[k].places.size()) continue;
+      questions.push_back({k, ground_[k].places[place]});
+    }
+    LookForFloor(pose.X_WR, ways, questions);
+    for (const GroundQuestion& question : questions) {
+      Edge& edge = edges[question.direction];
+      edge.obstacle = !question.floor;
+      if (question.floor) ++edge.floor_places;
+    }
+  }
+  for (size_t k = 0; k < edges.size(); ++k) {
+    const double step = ground_[k].first_step + static_cast<double>(edges[k].floor_places);
+    edges[k].floor_1 = (step - 1.0) / kSteps;
+    edges[k].other_1 = step / kSteps;
+  }
+  // ... then the edge between them is halved until it is found.
+  for (int round = 0; round < kHalvings; ++round) {
+    questions.clear();
+    for (size_t k = 0; k < edges.size(); ++k) {
+      if (edges[k].floor_places == 0 || !edges[k].obstacle) continue;
       const double middle_1 = 0.5 * (edges[k].floor_1 + edges[k].other_1);
-      (is_floor(sightings_[k]) ? edges[k].floor_1 : edges[k].other_1) = middle_1;
+      questions.push_back({k, PlaceAt(ground_[k].azimuth_R, middle_1)});
+    }
+    LookForFloor(pose.X_WR, ways, questions);
+    for (const GroundQuestion& question : questions) {
+      Edge& edge = edges[question.direction];
+      (question.floor ? edge.floor_1 : edge.other_1) = 0.5 * (edge.floor_1 + edge.other_1);
     }
   }
   NoiseSource noise(HashMix(HashMix(seed_, 1), static_cast<uint64_t>(seq)));
   std::vector<GroundGlance> glances;
   for (size_t k = 0; k < edges.size(); ++k) {
-    const Edge& edge = edges[k];
+    const GroundDirection& direction = ground_[k];
     GroundGlance glance;
-    glance.begin_px = ground_[k].places.front().pixel_px;
-    glance.any_floor = edge.any_floor;
-    glance.obstacle = edge.obstacle;
-    glance.end_px = glance.begin_px;
-    if (edge.any_floor) {
-      const GroundPlace end = PlaceAt(ground_[k].direction, edge.floor_1);
-      glance.end_px =
-          edge.obstacle && end.in_picture ? end.pixel_px : ground_[k].places.back().pixel_px;
-    }
-    if (edge.any_floor && edge.obstacle) {
+    glance.any_floor = edges[k].floor_places > 0;
+    glance.obstacle = edges[k].obstacle;
+    glance.begin_px = direction.begin_px;
+    glance.end_px = glance.any_floor ? direction.end_px : direction.begin_px;
+    if (glance.any_floor && glance.obstacle) {
+      const auto edge_px = PixelOf(PlaceAt(direction.azimuth_R, edges[k].floor_1));
+      glance.end_px = edge_px.value_or(direction.end_px);
       const Eigen::Vector2d outward_px = (glance.end_px - glance.begin_px).stableNormalized();
       glance.end_px += options_.edge_sigma_px * noise.Gaussian() * outward_px;
     }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "sim/mounting.h"
@@ -57,19 +58,41 @@ class Glancer {
                                double farthest_m);
 
  private:
-  // A place of level ground as the floor camera sees it.
+  // A place of level ground, as far from below the floor camera, in its frame.
   struct GroundPlace {
-    Eigen::Vector3f ray_F = Eigen::Vector3f::Zero();
-    Eigen::Vector2d pixel_px = Eigen::Vector2d::Zero();
-    bool in_picture = false;
+    double distance_m = 0.0;
+    Eigen::Vector3d p_F_m = Eigen::Vector3d::Zero();
+  };
+  // A direction from below the camera, and the places in the picture at equal steps of the angle,
+  // the nearest first.
+  struct GroundDirection {
+    Eigen::Vector2d azimuth_R;
+    int first_step = 0;
+    std::vector<GroundPlace> places;
+    Eigen::Vector2d begin_px, end_px;  // of the first and the last
+  };
+  // How far there is floor for sure in one of the directions: rays need not ask.
+  struct OpenWay {
+    Eigen::Vector2d from_W_m, bearing_W;
+    double open_m;
+  };
+  struct GroundQuestion {
+    size_t direction;
+    GroundPlace place;
+    bool floor = false;  // the answer
   };
   // `share_1` of the way, by angle, from straight below the camera to the range's end.
-  GroundPlace PlaceAt(int direction, double share_1) const;
+  GroundPlace PlaceAt(const Eigen::Vector2d& azimuth_R, double share_1) const;
+  // Nothing where it is not in the picture.
+  std::optional<Eigen::Vector2d> PixelOf(const GroundPlace& place) const;
+  std::vector<OpenWay> OpenWays(const geometry::RigidTransform& X_WR) const;
+  void LookForFloor(const geometry::RigidTransform& X_WR, std::span<const OpenWay> ways,
+                    std::span<GroundQuestion> questions);
   std::optional<GeonGlance> Geon(const BuiltCamera& camera, const geometry::RigidTransform& X_WC,
                                  uint64_t noise_seed);
   std::optional<GeonGlance> OneGeon(int body, const BuiltCamera& camera,
                                     const geometry::RigidTransform& X_WC, NoiseSource* noise);
-  bool InGlare(const Sighting& sighting, const Eigen::Vector3f& eye_W_m) const;
+  bool InGlare(const Eigen::Vector2d& p_W_m, const Eigen::Vector3d& p_WC_m) const;
 
   std::shared_ptr<const Scene> scene_;
   BuiltRig rig_;
@@ -77,13 +100,7 @@ class Glancer {
   uint64_t seed_;
   int floor_body_ = -1;
   std::vector<int> geon_bodies_;
-  // Of each direction, the places in the picture at equal steps, the nearest first.
-  struct GroundSteps {
-    int direction = 0;
-    int first = 0;  // number of the first step
-    std::vector<GroundPlace> places;
-  };
-  std::vector<GroundSteps> ground_;
+  std::vector<GroundDirection> ground_;
   std::vector<Eigen::Vector3f> directions_;
   std::vector<Sighting> sightings_;
 };

@@ -6,6 +6,8 @@ namespace geon::sim {
 
 // Sides of the ceiling lamp, along x and y of W.
 inline constexpr double kLampPanel_m[2] = {0.6, 1.6};
+// Of the light on a floor right below the lamp; 0.4 comes from the walls.
+inline constexpr float kLampShare_1 = 0.6F;
 
 // The light of the room: a ceiling lamp with its diffuse reflection from the walls, and the sun.
 struct Lighting {

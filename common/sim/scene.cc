@@ -79,11 +79,11 @@ Scene::Scene(std::vector<Body> bodies, const Lighting& lighting)
     Require(AddBody(tracer_->device, tracer_->scene, bodies_[k]) == k,
             "Scene: unexpected body number");
     facets_.Append(mesh);
-    if (bodies_[k].obstacle && geons::Bounds(mesh).min().z() < kRobotHeight_m) {
-      feet_W_.push_back({ConvexFootprint(mesh), {}});
-      for (const Eigen::Vector2d& p_m : feet_W_.back().outline_m)
-        feet_W_.back().bounds_m.extend(p_m);
-    }
+    const Eigen::AlignedBox3d bounds_m = geons::Bounds(mesh);
+    if (bounds_m.max().z() <= 0.0) continue;
+    feet_W_.push_back({ConvexFootprint(mesh),
+                       {bounds_m.min().head<2>(), bounds_m.max().head<2>()},
+                       bodies_[k].obstacle && bounds_m.min().z() < kRobotHeight_m});
   }
   rtcCommitScene(tracer_->scene);
 }
@@ -203,13 +203,27 @@ std::vector<DiscContact> Scene::ContactsOfDisc(const Eigen::Vector2d& center_W_m
   const Eigen::AlignedBox2d around(center_W_m - reach_m, center_W_m + reach_m);
   std::vector<DiscContact> contacts;
   for (const Foot& foot : feet_W_) {
-    if (!foot.bounds_m.intersects(around)) continue;
+    if (!foot.obstacle || !foot.bounds_m.intersects(around)) continue;
     const NearestPoint nearest = NearestPointOfConvex(foot.outline_m, center_W_m);
     const double clearance_m = nearest.distance_m - radius_m;
     if (clearance_m > kContactReach_m) continue;
     contacts.push_back({std::atan2(nearest.direction.y(), nearest.direction.x()), clearance_m});
   }
   return contacts;
+}
+
+double Scene::OpenGround_m(const Eigen::Vector2d& from_W_m,
+                           const Eigen::Vector2d& direction_W) const {
+  const Eigen::Vector2d left_W(-direction_W.y(), direction_W.x());
+  double open_m = kEndless_m;
+  for (const Foot& foot : feet_W_) {
+    // Most feet lie wholly to one side of the line.
+    const Eigen::Vector2d middle_m = foot.bounds_m.center() - from_W_m;
+    const Eigen::Vector2d half_m = 0.5 * foot.bounds_m.sizes();
+    if (std::abs(left_W.dot(middle_m)) > left_W.cwiseAbs().dot(half_m)) continue;
+    open_m = std::min(open_m, DistanceAlongRay(foot.outline_m, from_W_m, direction_W));
+  }
+  return open_m;
 }
 
 }  // namespace geon::sim

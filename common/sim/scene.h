@@ -52,6 +52,9 @@ class Scene : public Surroundings {
   void Look(const Eigen::Vector3f& origin_W_m, std::span<const Eigen::Vector3f> directions_W,
             std::span<Sighting> sightings) const;
 
+  // How far a straight line over the ground is open: there, nothing stands on the floor or over it.
+  double OpenGround_m(const Eigen::Vector2d& from_W_m, const Eigen::Vector2d& direction_W) const;
+
   // Whether light from one point reaches each of the others (which lie on surfaces).
   void Illuminate(const Eigen::Vector3f& light_W_m, std::span<const Eigen::Vector3f> points_W_m,
                   std::span<uint8_t> lit) const;
@@ -63,13 +66,14 @@ class Scene : public Surroundings {
  private:
   struct Tracer;  // Embree's handles
   struct Foot {
-    std::vector<Eigen::Vector2d> outline_m;  // convex, counter-clockwise
+    std::vector<Eigen::Vector2d> outline_m;  // from above: convex, counter-clockwise
     Eigen::AlignedBox2d bounds_m;
+    bool obstacle;
   };
   std::vector<Body> bodies_;
   Lighting lighting_;
   Facets facets_;
-  std::vector<Foot> feet_W_;  // of obstacles only
+  std::vector<Foot> feet_W_;  // of all that does not lie flat on the floor
   std::unique_ptr<Tracer> tracer_;
 };
 

@@ -16,9 +16,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-// Shares of the light on a floor right below the lamp.
-constexpr float kLampShare_1 = 0.6F;
-constexpr float kRoomShare_1 = 0.4F;
+constexpr float kRoomShare_1 = 0.4F;  // of the light on a floor right below the lamp
 // What lies behind the world: the far walls of the room, as bright as the room lights them.
 constexpr float kBackdrop_1 = 0.3F;
 

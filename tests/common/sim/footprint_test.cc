@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/contracts.h"
 
 namespace geon::sim {
@@ -34,6 +36,18 @@ TEST(FootprintTest, NearestPointOfEdgesCornersAndInside) {
   EXPECT_NEAR((inside.direction - Eigen::Vector2d(-1, 0)).norm(), 0.0, 1e-12);
   const NearestPoint on_edge = NearestPointOfConvex(square, {0.5, 0.0});
   EXPECT_NEAR((on_edge.direction.cwiseAbs() - Eigen::Vector2d(0, 1)).norm(), 0.0, 1e-12);
+}
+
+TEST(FootprintTest, ARayMeetsWhatLiesAheadOfIt) {
+  const std::vector<Eigen::Vector2d> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_DOUBLE_EQ(DistanceAlongRay(square, {-2.0, 0.5}, {1, 0}), 2.0);
+  EXPECT_DOUBLE_EQ(DistanceAlongRay(square, {0.5, -1.0}, Eigen::Vector2d(0.1, 1).normalized()),
+                   std::hypot(0.1, 1.0));
+  EXPECT_DOUBLE_EQ(DistanceAlongRay(square, {0.3, 0.5}, {1, 0}), 0.0);
+  EXPECT_TRUE(std::isinf(DistanceAlongRay(square, {-2.0, 0.5}, {-1, 0}))) << "behind";
+  EXPECT_TRUE(std::isinf(DistanceAlongRay(square, {-2.0, 1.5}, {1, 0}))) << "beside";
+  EXPECT_TRUE(
+      std::isinf(DistanceAlongRay(square, {-2.0, 0.5}, Eigen::Vector2d(1, 1).normalized())));
 }
 
 TEST(FootprintTest, NoPolygonIsAContractViolation) {

@@ -7,6 +7,7 @@
 
 #include "base/angles.h"
 #include "base/geon_label.h"
+#include "sim/random_pen.h"
 #include "tests/common/sim/scene_testing.h"
 
 namespace geon::sim {
@@ -141,6 +142,30 @@ TEST_F(GlancerTest, ABoxIsToldWhereItsFootProjects) {
   EXPECT_GT(free, 10);
 }
 
+TEST_F(GlancerTest, ARobotThatTiltsImperceptiblySeesTheSameFloor) {
+  // Only of a level robot is it known without rays how far the floor is open.
+  const auto tilted = geometry::MakeTransform(
+      Eigen::AngleAxisd(1e-6, Eigen::Vector3d::UnitX()).toRotationMatrix(), {0, 0, 0});
+  int edges = 0;
+  for (uint64_t seed = 1; seed <= 12; ++seed) {
+    world_ = RandomPen(seed, MixedPenKind(seed));
+    pose_.X_WR =
+        geometry::PlanarPose(world_.robot_x_m, world_.robot_y_m, 0.5 * static_cast<double>(seed));
+    Glancer glancer = Made(exact_);
+    const auto level = glancer.Floor(pose_, 1);
+    pose_.X_WR = pose_.X_WR * tilted;
+    const auto asked = glancer.Floor(pose_, 1);
+    ASSERT_EQ(level.size(), asked.size());
+    for (size_t k = 0; k < level.size(); ++k) {
+      EXPECT_EQ(level[k].obstacle, asked[k].obstacle) << seed << ' ' << k;
+      EXPECT_EQ(level[k].any_floor, asked[k].any_floor);
+      EXPECT_LT((level[k].end_px - asked[k].end_px).norm(), 1.0);
+      if (level[k].any_floor && level[k].obstacle) ++edges;
+    }
+  }
+  EXPECT_GT(edges, 300);
+}
+
 TEST_F(GlancerTest, WhatFillsThePictureLeavesNoFloor) {
   world_.objects.push_back(Box({5.0, 3.2}, {4.0, 2.0, 0.4}));  // up to the robot's very body
   for (const GroundGlance& glance : Made(exact_).Floor(pose_, 1)) {
@@ -227,6 +252,8 @@ TEST_F(GlancerTest, AllRoundLooksNoFartherThanAskedAndOverWhatIsLower) {
 
 TEST_F(GlancerTest, APolishedFloorGlaresWhereThePictureShowsTheLamp) {
   world_.lighting.lamp_W_m = {5.0, 6.0, 2.8};
+  for (const GroundGlance& glance : Made(exact_).Floor(pose_, 1)) EXPECT_FALSE(glance.obstacle);
+  world_.floor_gloss_1 = 0.01;
   for (const GroundGlance& glance : Made(exact_).Floor(pose_, 1)) EXPECT_FALSE(glance.obstacle);
   world_.floor_gloss_1 = 0.05;
   RendererOptions options = WithoutMountingErrors();

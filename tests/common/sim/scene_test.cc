@@ -6,6 +6,8 @@
 
 #include "base/angles.h"
 #include "base/contracts.h"
+#include "sim/noise_source.h"
+#include "sim/random_pen.h"
 #include "tests/common/sim/scene_testing.h"
 
 namespace geon::sim {
@@ -46,6 +48,30 @@ TEST(SceneTest, WithinReachARayMeetsTheSame) {
   ASSERT_TRUE(endless && reaching);
   EXPECT_EQ(endless->distance_m, reaching->distance_m);
   EXPECT_FALSE(scene->CastRay({1.5, 1.0, 0.3}, {-1, 0, 0}, 1.4).has_value());
+}
+
+TEST(SceneTest, GroundIsOpenUpToWhatStandsOnIt) {
+  NoiseSource random(5);
+  int met = 0;
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    const World world = RandomPen(seed, MixedPenKind(seed));
+    const auto scene = *BuildScene(world);
+    for (int round = 0; round < 100; ++round) {
+      const double bearing_rad = random.Uniform(-kPi, kPi);
+      const Eigen::Vector2d bearing(std::cos(bearing_rad), std::sin(bearing_rad));
+      const Eigen::Vector2d from_m(world.robot_x_m, world.robot_y_m);
+      const double open_m = scene->OpenGround_m(from_m, bearing);
+      // Just over the floor a level ray meets the same, the geon's rounded edge nearly.
+      const auto hit =
+          scene->CastRay({from_m.x(), from_m.y(), 0.02}, {bearing.x(), bearing.y(), 0.0});
+      ASSERT_TRUE(hit.has_value());
+      EXPECT_NEAR(open_m, hit->distance_m, 0.01);
+      EXPECT_LT(open_m, hit->distance_m + 1e-5);
+      ++met;
+    }
+  }
+  EXPECT_EQ(met, 600);
+  EXPECT_TRUE(std::isinf(SceneFrom("")->OpenGround_m({-1.0, 1.0}, {-1.0, 0.0})));
 }
 
 TEST(SceneTest, EllipsoidIsMetOnItsSurfaceWithItsNormal) {
