@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -83,9 +84,9 @@ void CostToGo::Compute(const OccupancyGrid& grid, const ClearanceField& clearanc
   const float bucket_m = 0.5F * cell_m;
   const float most_1 = std::max(kTight_1, 1.0F + static_cast<float>(options_.crowding_1)) +
                        static_cast<float>(options_.unseen_1);
-  const auto ring = static_cast<size_t>(std::ceil(1.5F * cell_m * most_1 / bucket_m)) + 2;
+  const auto ring = std::bit_ceil(static_cast<uint32_t>(1.5F * cell_m * most_1 / bucket_m) + 3);
   buckets_.resize(ring);
-  for (std::vector<size_t>& bucket : buckets_) bucket.clear();
+  for (std::vector<uint32_t>& bucket : buckets_) bucket.clear();
   size_t waiting = 0;
   // In ascending order of cost: the first bucket is the cheapest goal's.
   std::vector<Goal> sorted(goals.begin(), goals.end());
@@ -96,14 +97,17 @@ void CostToGo::Compute(const OccupancyGrid& grid, const ClearanceField& clearanc
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Goal& a, const Goal& b) { return a.cost_m < b.cost_m; });
   size_t next_goal = 0;
-  const auto bucket_of = [&](float cost_m) { return static_cast<size_t>(cost_m / bucket_m); };
+  const auto bucket_of = [&](float cost_m) { return static_cast<int>(cost_m / bucket_m); };
+  const auto bucket_at = [&](int number) -> std::vector<uint32_t>& {
+    return buckets_[static_cast<uint32_t>(number) & (ring - 1)];
+  };
   const auto reach = [&](size_t index, float cost_m, size_t next) {
     cells_[index].cost_m = cost_m;
     cells_[index].next = static_cast<uint8_t>(next);
-    buckets_[bucket_of(cost_m) % ring].push_back(index);
+    bucket_at(bucket_of(cost_m)).push_back(static_cast<uint32_t>(index));
     ++waiting;
   };
-  for (size_t now = sorted.empty() ? 0 : bucket_of(static_cast<float>(sorted[0].cost_m));
+  for (int now = sorted.empty() ? 0 : bucket_of(static_cast<float>(sorted[0].cost_m));
        waiting > 0 || next_goal < sorted.size(); ++now) {
     for (; next_goal < sorted.size(); ++next_goal) {
       const auto cost_m = static_cast<float>(sorted[next_goal].cost_m);
@@ -111,7 +115,7 @@ void CostToGo::Compute(const OccupancyGrid& grid, const ClearanceField& clearanc
       const size_t index = framed_.Index(sorted[next_goal].cell);
       if (cost_m < cells_[index].cost_m) reach(index, cost_m, kNoNeighbour);
     }
-    std::vector<size_t>& bucket = buckets_[now % ring];
+    std::vector<uint32_t>& bucket = bucket_at(now);
     for (size_t k = 0; k < bucket.size(); ++k) {  // may grow meanwhile
       const size_t index = bucket[k];
       --waiting;

@@ -64,7 +64,7 @@ class CostToGo {
   GridWindow window_;
   GridWindow framed_;  // the window with a frame of cells that nothing leads to
   std::vector<Cell> cells_;
-  std::vector<std::vector<size_t>> buckets_;  // of cells, by cost
+  std::vector<std::vector<uint32_t>> buckets_;  // of cells, by cost
 };
 
 }  // namespace geon::navigation

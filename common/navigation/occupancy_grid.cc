@@ -57,11 +57,6 @@ void OccupancyGrid::Clear() {
   ++revision_;
 }
 
-GridCell OccupancyGrid::CellAt(const Eigen::Vector2d& p_W_m) const {
-  return {static_cast<int>(std::floor(p_W_m.x() / options_.cell_m)),
-          static_cast<int>(std::floor(p_W_m.y() / options_.cell_m))};
-}
-
 GridWindow OccupancyGrid::WindowWith(std::span<const Eigen::Vector2d> places_W_m,
                                      double margin_m) const {
   Require(!places_W_m.empty(), "OccupancyGrid::WindowWith: a place is needed");
@@ -160,8 +155,8 @@ void OccupancyGrid::SeeFloor(double now_s, const geometry::RigidTransform& X_WR,
     const Eigen::Vector2d end_R_m = column.begin_R_m + along_m * (length_m / along_m.norm());
     AlongRay(geometry::OnGround(X_WR, column.begin_R_m), geometry::OnGround(X_WR, end_R_m),
              [&](GridCell cell) {
+               if (At(cell)->picture == pictures_) return;
                Evidence* evidence = Touch(cell);
-               if (evidence->picture == pictures_) return;
                evidence->picture = pictures_;
                const double distance_m = (Middle(cell) - X_WR.translation().head<2>()).norm();
                evidence->seen_1 =
@@ -204,8 +199,8 @@ void OccupancyGrid::HearOne(const sensor::SonarScan& scan, int sensor, const Rin
       const double from_axis_rad = from_axis_1 * options_.half_cone_rad;
       AlongRay(place(from_axis_rad, near_m + rings.sonar_min_m),
                place(from_axis_rad, near_m + silent_m), [&](GridCell cell) {
+                 if (At(cell)->picture == pictures_) return;
                  Evidence* evidence = Touch(cell);
-                 if (evidence->picture == pictures_) return;
                  evidence->picture = pictures_;
                  evidence->heard_1 =
                      Added(evidence->heard_1, options_.silent_1, options_.most_heard_1);

@@ -108,7 +108,14 @@ class OccupancyGrid {
   void Clear();
 
   double cell_m() const { return options_.cell_m; }
-  GridCell CellAt(const Eigen::Vector2d& p_W_m) const;
+  GridCell CellAt(const Eigen::Vector2d& p_W_m) const {
+    // What std::floor says, which is a call where the processor need not have it.
+    const auto floor = [](double value) {
+      const auto towards_zero = static_cast<int>(value);
+      return towards_zero - (value < towards_zero ? 1 : 0);
+    };
+    return {floor(p_W_m.x() / options_.cell_m), floor(p_W_m.y() / options_.cell_m)};
+  }
   Eigen::Vector2d Middle(GridCell cell) const {
     return {(cell.x + 0.5) * options_.cell_m, (cell.y + 0.5) * options_.cell_m};
   }

@@ -23,7 +23,9 @@ BumperRing::BumperRing(const BumperRingOptions& options, uint64_t seed)
 
 void BumperRing::Advance(double time_s, const std::vector<DiscContact>& contacts,
                          double base_W_rad) {
+  if (contacts.empty() && quiet_) return;
   mask_ = 0;
+  quiet_ = contacts.empty();
   for (int i = 0; i < kCount; ++i) {
     Switch& state = switches_[static_cast<size_t>(i)];
     const double middle_rad = base_W_rad + options_.offset_rad + 2.0 * i * kHalfWidth_rad;
@@ -46,6 +48,7 @@ void BumperRing::Advance(double time_s, const std::vector<DiscContact>& contacts
       state.next_bounce_s = time_s + noise_.Uniform(kBounceMin_s, kBounceMax_s);
     }
     if (state.reads || options_.stuck == i) mask_ |= 1u << i;
+    if (touched || time_s < state.bounces_until_s) quiet_ = false;
   }
 }
 

@@ -48,6 +48,7 @@ class BumperRing {
   NoiseSource noise_;
   std::array<Switch, kCount> switches_{};
   uint32_t mask_ = 0;
+  bool quiet_ = false;  // nothing touches, nothing bounces
 };
 
 }  // namespace geon::sim

@@ -73,7 +73,7 @@ Result<std::unique_ptr<SimulatedRobot>> SimulatedRobot::Create(const World& worl
                                                                const geometry::SensorRig& rig,
                                                                const SimOptions& options,
                                                                uint64_t seed) {
-  Result<std::shared_ptr<const Scene>> scene = BuildScene(world);
+  Result<std::shared_ptr<const Scene>> scene = BuildScene(world, options.geon_mesh);
   if (!scene.ok()) return scene.status();
   return std::unique_ptr<SimulatedRobot>(
       new SimulatedRobot(world, std::move(*scene), rig, options, seed));

@@ -129,9 +129,11 @@ TriangleMesh ChessboardPlate(const ChessboardShape& board) {
   return plate;
 }
 
-Result<TriangleMesh> UprightMesh(const WorldObject& object) {
-  if (const auto* shape = std::get_if<geons::GeonShape>(&object.shape))
-    return geons::GeonMesh(*shape);
+Result<TriangleMesh> UprightMesh(const WorldObject& object,
+                                 const geons::MeshResolution& geon_mesh) {
+  if (const auto* shape = std::get_if<geons::GeonShape>(&object.shape)) {
+    return geons::GeonMesh(*shape, geon_mesh);
+  }
   if (const auto* box = std::get_if<BoxShape>(&object.shape)) return BoxMesh(box->size_m);
   if (const auto* board = std::get_if<ChessboardShape>(&object.shape)) {
     return ChessboardPlate(*board);
@@ -184,8 +186,9 @@ Result<TriangleMesh> LoadObj(const std::filesystem::path& file) {
   return mesh;
 }
 
-Result<TriangleMesh> ObjectMesh(const World& world, const WorldObject& object) {
-  Result<TriangleMesh> mesh = UprightMesh(object);
+Result<TriangleMesh> ObjectMesh(const World& world, const WorldObject& object,
+                                const geons::MeshResolution& geon_mesh) {
+  Result<TriangleMesh> mesh = UprightMesh(object, geon_mesh);
   if (!mesh.ok()) return mesh;
   geometry::RigidTransform X_WO = geometry::PlanarPose(object.x_m, object.y_m, object.yaw_rad);
   X_WO.translation().z() = FootHeight(world, object);
@@ -194,11 +197,12 @@ Result<TriangleMesh> ObjectMesh(const World& world, const WorldObject& object) {
   return mesh;
 }
 
-Result<std::shared_ptr<const Scene>> BuildScene(const World& world) {
+Result<std::shared_ptr<const Scene>> BuildScene(const World& world,
+                                                const geons::MeshResolution& geon_mesh) {
   std::vector<Body> bodies = {FloorBody(world)};
   AddWalls(world, &bodies);
   for (const WorldObject& object : world.objects) {
-    Result<TriangleMesh> mesh = ObjectMesh(world, object);
+    Result<TriangleMesh> mesh = ObjectMesh(world, object, geon_mesh);
     if (!mesh.ok()) return mesh.status();
     Body body;
     const std::optional<GeonLabel> label = TrueLabel(object);

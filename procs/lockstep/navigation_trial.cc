@@ -74,6 +74,7 @@ std::optional<NavigationEnd> NavigationEndFromString(std::string_view name) {
 LockstepSettings ForNavigation(LockstepSettings settings, SensorQuality quality) {
   settings.sensing = quality == SensorQuality::kPerfect ? Sensing::kPerfect : Sensing::kGlances;
   settings.color_camera.exposure.reset();
+  settings.sim.geon_mesh = {128, 32};  // nobody looks closely
   sim::NomadEmulatorOptions& base = settings.sim.base;
   if (quality == SensorQuality::kPerfect) {
     base.drive.odometry_distance_scale_1 = base.drive.odometry_turn_scale_1 = 1.0;
