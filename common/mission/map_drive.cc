@@ -146,7 +146,7 @@ bool MapDrive::Progresses(double now_s, double cost_m) {
 }
 
 void MapDrive::StartRecovery(double now_s, const Senses& senses) {
-  const Recovery last = goal_.insists() ? Recovery::kStepBack : Recovery::kForget;
+  const Recovery last = goal_.insists() ? Recovery::kStepBack : Recovery::kDoubtBright;
   recovery_ = recovery_ >= last ? Recovery::kGiveUp
                                 : static_cast<Recovery>(static_cast<int>(recovery_) + 1);
   recovering_ = true;
@@ -170,6 +170,10 @@ std::optional<MapDrive::Answer> MapDrive::Recover(double now_s, Senses* senses) 
     case Recovery::kForget:
       senses->ForgetDoubtfulObstacles();
       return end();
+    case Recovery::kDoubtBright:
+      if (senses->DoubtBrightObstacles(now_s)) return end();
+      StartRecovery(now_s, *senses);
+      return Recover(now_s, senses);
     case Recovery::kLookRound: {
       const double heading_rad = senses->base().heading_rad;
       turned_rad_ += WrapAngle(heading_rad - last_heading_rad_);
