@@ -42,6 +42,7 @@ MapDrive::MapDrive(const MissionOptions& options)
 
 void MapDrive::Rest() {
   follower_.Rest();
+  polygon_R_ = {};
   mapped_W_m_.reset();
   started_ = recovering_ = false;
   recovery_ = Recovery::kNone;

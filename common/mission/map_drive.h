@@ -51,7 +51,7 @@ class MapDrive {
   // Starts anew: another target, or something else took over meanwhile.
   void Rest();
 
-  // What the last answer was made of, frame R, for people.
+  // What the last answer was made of, frame R, for people; nothing after Rest.
   const geometry::ConvexPolygon& polygon_R() const { return polygon_R_; }
   const Eigen::Vector2d& waypoint_R_m() const { return follower_.waypoint_R_m(); }
 
