@@ -88,6 +88,10 @@ navigation::DriveVelocity MapDrive::Careful(navigation::DriveVelocity velocity,
   constexpr double kSlow_m_s = 0.1;
   constexpr double kAhead_m = 0.15;
   if (velocity.speed_m_s <= kSlow_m_s) return velocity;
+  if (recovery_ >= Recovery::kForget) {  // what stands round here may have been forgotten
+    velocity.speed_m_s = kSlow_m_s;
+    return velocity;
+  }
   const navigation::OccupancyGrid& map = *senses.map();
   const geometry::RigidTransform X_WR = senses.X_WR();
   const double radius_m = options_.velocity.body_radius_m;

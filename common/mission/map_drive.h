@@ -68,7 +68,8 @@ class MapDrive {
   std::vector<navigation::CostToGo::Goal> GoalCells(const navigation::OccupancyGrid& map) const;
   std::optional<Answer> Recover(double now_s, Senses* senses);
   void StartRecovery(double now_s, const Senses& senses);
-  // Slow where the body comes upon ground that no picture showed.
+  // Slow where the body comes upon ground that no picture showed, and where obstacles were
+  // forgotten.
   navigation::DriveVelocity Careful(navigation::DriveVelocity velocity, const Senses& senses) const;
   // Whether the cost from here fell lately; else something must be tried.
   bool Progresses(double now_s, double cost_m);

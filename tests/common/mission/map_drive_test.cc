@@ -329,6 +329,25 @@ TEST(MapDriveTest, WhatMayBeAMistakeIsForgottenAfterListeningAndBeforeLookingRou
   EXPECT_GE(trip.nearest_m(), kBody_m);
 }
 
+TEST(MapDriveTest, WhereItForgotItCreepsAtFirst) {
+  Trip trip({4.0, 0.0});
+  trip.stuck = true;
+  trip.RunUntil([&] { return trip.answer.text.find("looking") != std::string::npos; }, 30.0);
+  trip.stuck = false;
+  const Vector2d here_W_m = trip.pose.head<2>();
+  double fastest_here_m_s = 0.0, fastest_m_s = 0.0;
+  trip.RunUntil(
+      [&] {
+        const double away_m = (trip.pose.head<2>() - here_W_m).norm();
+        double& fastest = away_m < 0.4 ? fastest_here_m_s : fastest_m_s;
+        fastest = std::max(fastest, trip.answer.velocity.speed_m_s);
+        return trip.Distance_m() <= kStop_m + kTolerance_m;
+      },
+      60.0);
+  EXPECT_LE(fastest_here_m_s, 0.1 + 1e-9);
+  EXPECT_GT(fastest_m_s, 0.3);
+}
+
 TEST(MapDriveTest, ARobotThatDoesNotMoveTriesEverythingAndThenSaysSo) {
   Trip trip({3.0, 0.0});
   trip.stuck = true;
