@@ -128,13 +128,7 @@ void ApproachPhase::See(Context* context) {
 
 void ApproachPhase::KeepHeadOn(Context* context, const SupportHypothesis& target) {
   const auto aim = AimAt(*context, target.p_WFoot_m, target.support_height_m + kTargetMiddle_m);
-  if (!aim) return;
-  const auto& wanted = context->head.wanted();
-  if (wanted && std::abs(wanted->pan_rad - aim->pan_rad) < kOffAim_rad &&
-      std::abs(wanted->tilt_rad - aim->tilt_rad) < kOffAim_rad) {
-    return;
-  }
-  context->head.Point(*aim);
+  if (aim) context->head.Keep(*aim, kOffAim_rad);
 }
 
 Transition ApproachPhase::Arrive(Context* context, const Eigen::Vector2d& target_R_m) {

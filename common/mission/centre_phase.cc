@@ -35,11 +35,7 @@ void CentrePhase::Follow(Context* context) {
   const auto& seen = context->senses.head();
   if (seen && seen->seen.target) gaze_W_m_ = GazeAtTarget(*context, *seen);
   const auto aim = AimAt(*context, gaze_W_m_.head<2>(), gaze_W_m_.z());
-  const active_vision::HeadAngles& wanted = *context->head.wanted();
-  if (aim && (std::abs(aim->pan_rad - wanted.pan_rad) > kOffGaze_rad ||
-              std::abs(aim->tilt_rad - wanted.tilt_rad) > kOffGaze_rad)) {
-    context->head.Point(*aim);
-  }
+  if (aim) context->head.Keep(*aim, kOffGaze_rad);
 }
 
 Transition CentrePhase::Step(Context* context) {

@@ -21,6 +21,14 @@ void Head::Point(const active_vision::HeadAngles& angles, double speed_rad_s) {
   sent_s_ = -1e9;
 }
 
+void Head::Keep(const active_vision::HeadAngles& angles, double off_rad) {
+  if (wanted_ && std::abs(wanted_->pan_rad - angles.pan_rad) < off_rad &&
+      std::abs(wanted_->tilt_rad - angles.tilt_rad) < off_rad) {
+    return;
+  }
+  Point(angles);
+}
+
 bool Head::Arrived(const sensor::PtuState& state) const {
   return wanted_ && state.status == sensor::DeviceStatus::kReady && state.command_id == id_ &&
          !state.moving && std::abs(state.pan_rad - wanted_->pan_rad) < kArrived_rad &&

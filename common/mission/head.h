@@ -18,6 +18,9 @@ class Head {
 
   // `speed_rad_s` of the axis that turns: 0 for the PTU's own.
   void Point(const active_vision::HeadAngles& angles, double speed_rad_s = 0.0);
+  // Points there unless it is told to look within `off_rad` of it, in both axes, already: for what
+  // moves a little all the time.
+  void Keep(const active_vision::HeadAngles& angles, double off_rad);
   const std::optional<active_vision::HeadAngles>& wanted() const { return wanted_; }
 
   // Whether the PTU stands still where it was told to, since `settle_s` at least.

@@ -34,16 +34,14 @@ double OffColour(const Colour& colour, const FloorModel& model) {
   return std::max({std::abs(red_1), std::abs(green_1), std::abs(blue_1)});
 }
 
-bool IsFloor(const cv::Vec3b& bgr, const FloorModel& model) {
-  const Colour colour = ColourOf(bgr);
+bool IsFloor(const Colour& colour, const FloorModel& model) {
   return OffColour(colour, model) <= model.share_tolerance_1 &&
          colour.level >= model.darkest_1 * model.level &&
          colour.level <= model.brightest_1 * model.level;
 }
 
 // Of what is no floor: a mirrored lamp adds its own colour to that of the floor it lights.
-bool IsBright(const cv::Vec3b& bgr, const FloorModel& model) {
-  const Colour colour = ColourOf(bgr);
+bool IsBright(const Colour& colour, const FloorModel& model) {
   return colour.level > model.brightest_1 * model.level &&
          OffColour(colour, model) <= kLampTolerance_1;
 }
@@ -180,9 +178,13 @@ cv::Mat NotFloorMask(const cv::Mat& image_bgr, const FloorModel& model) {
   cv::Mat mask(image_bgr.size(), CV_8UC1);
   for (int v_px = 0; v_px < image_bgr.rows; ++v_px) {
     for (int u_px = 0; u_px < image_bgr.cols; ++u_px) {
-      const cv::Vec3b& pixel = image_bgr.at<cv::Vec3b>(v_px, u_px);
-      const uint8_t other = IsBright(pixel, model) ? kBrightMask : 255;
-      mask.at<uint8_t>(v_px, u_px) = IsFloor(pixel, model) ? 0 : other;
+      const Colour colour = ColourOf(image_bgr.at<cv::Vec3b>(v_px, u_px));
+      uint8_t* pixel = &mask.at<uint8_t>(v_px, u_px);
+      if (IsFloor(colour, model)) {
+        *pixel = 0;
+      } else {
+        *pixel = IsBright(colour, model) ? kBrightMask : 255;
+      }
     }
   }
   cv::morphologyEx(mask, mask, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8U));
@@ -281,9 +283,9 @@ std::optional<FloorModel> LearnFloor(const cv::Mat& image_bgr,
   wide.share_tolerance_1 = kLampTolerance_1;
   wide.darkest_1 = 0.5;
   wide.brightest_1 = 2.0;
-  if (!IsFloor(median_bgr, wide)) return std::nullopt;
+  if (!IsFloor(ColourOf(median_bgr), wide)) return std::nullopt;
   const auto alike = std::count_if(patch.begin(), patch.end(),
-                                   [&](const auto& bgr) { return IsFloor(bgr, model); });
+                                   [&](const auto& bgr) { return IsFloor(ColourOf(bgr), model); });
   if (static_cast<double>(alike) < 0.9 * static_cast<double>(patch.size())) return std::nullopt;
   return model;
 }

@@ -55,6 +55,7 @@ void OccupancyGrid::Clear() {
     }
   }
   any_known_ = heard_any_ = false;
+  doubting_until_s_ = -1.0;
   ++revision_;
 }
 

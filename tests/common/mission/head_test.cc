@@ -28,6 +28,21 @@ TEST(HeadTest, RepeatsTheCommandUntilThePtuHasHeardIt) {
   EXPECT_TRUE(head.Command(0.9, At(0.0, 0)).has_value());
 }
 
+TEST(HeadTest, KeepsOnWhatMovesALittleWithoutAnotherWish) {
+  Head head(1);
+  head.Keep({0.5, -0.2}, 0.05);
+  const auto first = head.Command(0.0, At(0.0, 0));
+  ASSERT_TRUE(first.has_value());
+  EXPECT_EQ(first->pan_rad, 0.5);
+  head.Keep({0.54, -0.16}, 0.05);
+  EXPECT_EQ(head.wanted()->pan_rad, 0.5);
+  for (const active_vision::HeadAngles& off :
+       {active_vision::HeadAngles{0.56, -0.2}, active_vision::HeadAngles{0.56, -0.26}}) {
+    head.Keep(off, 0.05);
+    EXPECT_EQ(*head.wanted(), off) << "off in one axis is off";
+  }
+}
+
 TEST(HeadTest, AnotherSpeedIsAnotherWish) {
   Head head(1);
   head.Point({0.5, 0.0});

@@ -273,6 +273,10 @@ TEST(OccupancyGridTest, WhatIsBrightIsDoubtedForSomeTimeButNotWhatIsHeardThere) 
   ASSERT_TRUE(later.DoubtBright(0.0));
   later.SeeFloor(2.1, kStart, columns);
   EXPECT_TRUE(IsObstacle(later, {1.01, 0.0})) << "the doubt is over";
+  ASSERT_TRUE(later.DoubtBright(2.1));
+  later.Clear();
+  later.SeeFloor(2.2, kStart, columns);
+  EXPECT_TRUE(IsObstacle(later, {1.01, 0.0})) << "whoever forgets all doubts nothing";
 }
 
 TEST(OccupancyGridTest, ThingsBeyondTheReachAreIgnoredWithoutHarm) {
