@@ -16,6 +16,7 @@ std::string TableRow(const std::string& name, const NavigationSummary& summary) 
   std::string row = "<tr>" + Cell(Escape(name)) + Cell(std::to_string(summary.runs)) +
                     Cell(std::to_string(summary.right)) + Cell(std::to_string(summary.reached)) +
                     Cell(std::to_string(summary.unreachable)) +
+                    Cell(std::to_string(summary.none_found)) +
                     Cell(std::to_string(summary.trapped)) + Cell(std::to_string(summary.contacts)) +
                     Cell(Fixed(summary.hardest_contact_m_s, 2));
   for (const auto value : {&Spread::p50, &Spread::p95, &Spread::max}) {
@@ -27,7 +28,7 @@ std::string TableRow(const std::string& name, const NavigationSummary& summary) 
 std::string Table(const NavigationRecord& record) {
   std::string html =
       "<table class=\"runs\"><tr><th>world</th><th>runs</th><th>right</th><th>reached</th>"
-      "<th>unreachable</th><th>trapped</th><th>contacts</th><th>at m/s</th>"
+      "<th>unreachable</th><th>none found</th><th>trapped</th><th>contacts</th><th>at m/s</th>"
       "<th>median s</th><th>95 % s</th><th>longest s</th></tr>";
   for (const std::string& world : WorldsOf(record)) {
     html += TableRow(world, Summarize(record, world));
