@@ -15,6 +15,13 @@
 namespace geon::sim {
 namespace {
 
+// The more poses a picture is the mean of, the more it is smeared, and the larger the pixels that
+// each of them is worth.
+constexpr size_t kLargest = 4;
+size_t PixelsOf(const std::vector<geometry::RigidTransform>& way_X_WC) {
+  return std::clamp<size_t>(way_X_WC.size() / 2, 1, kLargest);
+}
+
 enum class CameraNumber : uint64_t { kColor = 1, kBw = 2, kFloor = 3 };
 
 uint64_t FrameSeed(uint64_t seed, CameraNumber camera, int64_t seq) {
@@ -60,6 +67,16 @@ void AddSpread(const std::vector<LitPixel>& lit, int width_px, int height_px, do
   }
 }
 
+// The k-th of `count` poses looks through another place of the large pixels, so that the mean of
+// all is that of the light within: eight places, or the first four, one in each row and column.
+geometry::PinholeCamera Aside(geometry::PinholeCamera camera, size_t k, size_t count) {
+  constexpr double kColumns_1[] = {0, 4, 2, 6, 1, 5, 3, 7}, kRows_1[] = {0, 4, 6, 2, 3, 7, 1, 5};
+  const double middle_1 = 0.5 - 0.5 / static_cast<double>(count);
+  camera.cx_px += kColumns_1[k % 8] / 8.0 - middle_1;
+  camera.cy_px += kRows_1[k % 8] / 8.0 - middle_1;
+  return camera;
+}
+
 bool SamePoses(const std::vector<geometry::RigidTransform>& a,
                const std::vector<geometry::RigidTransform>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -70,17 +87,21 @@ bool SamePoses(const std::vector<geometry::RigidTransform>& a,
 
 struct RigRenderer::Sight {
   // The mean of the room's light along the camera's way, through the lens; anew only when that way,
-  // or the size of the ideal camera's pixels, is another. `shade` fills the light of a view.
+  // or the size of the ideal camera's pixels, is another. `fine`: those of a camera that stands
+  // still are no larger than the picture's. `shade` fills the light of a view.
   template <typename Shade>
   const std::vector<float>& RoomLight(const Scene& scene, const BuiltCamera& camera,
-                                      std::vector<geometry::RigidTransform> way_X_WC, int shrink,
+                                      std::vector<geometry::RigidTransform> way_X_WC, bool fine,
                                       int channels, double blur_1, Shade shade) {
+    const size_t shrink = std::max<size_t>(PixelsOf(way_X_WC), fine ? 1 : 2);
     if (shrink == room_shrink && SamePoses(way_X_WC, room_X_WC)) return room;
-    std::optional<LensMap>& map = maps[static_cast<size_t>(shrink - 1)];
-    if (!map) map.emplace(camera, shrink);
+    std::optional<LensMap>& map = maps[shrink - 1];
+    if (!map) map.emplace(camera, static_cast<int>(shrink));
+    const bool large = PixelsOf(way_X_WC) > 1;
     sum.clear();
-    for (const geometry::RigidTransform& X_WC : way_X_WC) {
-      LookThrough(scene, map->wide(), X_WC, &view);
+    for (size_t pose = 0; pose < way_X_WC.size(); ++pose) {
+      LookThrough(scene, large ? Aside(map->wide(), pose, way_X_WC.size()) : map->wide(),
+                  way_X_WC[pose], &view);
       shade(view, &light);
       if (sum.empty()) {
         std::swap(sum, light);
@@ -103,9 +124,9 @@ struct RigRenderer::Sight {
     for (KeptLaser& kept : lasers) kept.X_WT.clear();
   }
 
-  std::array<std::optional<LensMap>, 2> maps;  // with ideal pixels as large, and twice as large
+  std::array<std::optional<LensMap>, kLargest> maps;  // with ideal pixels as large, twice ...
   std::vector<geometry::RigidTransform> room_X_WC;
-  int room_shrink = 0;
+  size_t room_shrink = 0;
   std::vector<float> room;
   struct KeptLaser {
     std::vector<geometry::RigidTransform> X_WT;
@@ -149,9 +170,9 @@ geometry::RigidTransform RigRenderer::StripeCameraPose(const RigPose& pose) cons
 Frame RigRenderer::ColorFrame(const BuiltCamera& camera, const CameraOptions& options,
                               const ImageSensor& sensor, std::vector<geometry::RigidTransform> X_WC,
                               double exposure_1, uint64_t noise_seed, Sight* sight) const {
-  constexpr int kChannels = 3, kFullSize = 1;
+  constexpr int kChannels = 3;
   const std::vector<float>& light =
-      sight->RoomLight(*scene_, camera, std::move(X_WC), kFullSize, kChannels, options.blur_1,
+      sight->RoomLight(*scene_, camera, std::move(X_WC), true, kChannels, options.blur_1,
                        [this](const View& view, std::vector<float>* out) {
                          ShadeColor(*scene_, view, LampShadows::kSoft, out);
                        });
@@ -219,7 +240,7 @@ Frame RigRenderer::HeadBw(const RigPath& path, const LaserFractions& lasers, int
     for (const RigPose& pose : path.poses) X_WC.push_back(StripeCameraPose(pose));
   }
   const std::vector<float>& room =
-      bw_->RoomLight(*scene_, camera, std::move(X_WC), faint ? 2 : 1, 1, options_.stripe.blur_1,
+      bw_->RoomLight(*scene_, camera, std::move(X_WC), !faint, 1, options_.stripe.blur_1,
                      [this](const View& view, std::vector<float>* out) {
                        ShadeRed(*scene_, view, out);  // 670 nm
                      });

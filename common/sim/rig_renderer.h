@@ -47,7 +47,10 @@ struct Frame {
 // time in units of the camera's exposure_us.
 //
 // Light without noise is kept as long as the head stands still, so that its frames are cheap. While
-// it moves, a frame costs as much as its path has poses.
+// it moves, a frame is the mean over its path. From four poses on it is smeared, and what each of
+// them sees is asked for less finely: by pixels half as many times as large as there are poses, at
+// most four; their place differs from pose to pose, so that the mean misses nothing between.
+// Deviation: such a picture is softer across the smear, too, and an edge may lie half a pixel off.
 class RigRenderer {
  public:
   RigRenderer(std::shared_ptr<const Scene> scene, const geometry::SensorRig& designed,

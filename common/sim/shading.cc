@@ -7,7 +7,7 @@
 
 #include "sim/floor_tiles.h"
 #include "sim/lamp_mirror.h"
-#include "sim/lamp_shadow.h"
+#include "sim/light_shadow.h"
 #include "sim/pixel_footprint.h"
 #include "sim/surface_row.h"
 
@@ -184,22 +184,6 @@ void ShadeRow(const Scene& scene, const View& view, const SurfaceRow& row, const
   }
 }
 
-// 1 where the sun shines. Its rays are parallel: they come from a point far away.
-void AskSun(const Scene& scene, const SurfaceRow& row, const Lights& lights,
-            std::vector<float>* visible_1) {
-  if (lights.sun_1.maxCoeff() <= 0.0F) return;  // dark, as `visible_1` was made
-  constexpr float kSunDistance_m = 200.0F;
-  const Vector3f sun_W_m = lights.lamp_W_m + kSunDistance_m * lights.to_sun_W;
-  for (const SurfaceRow::Run& run : row.runs) {
-    if (run.body < 0) continue;
-    std::vector<Vector3f> points;
-    for (int u = run.begin; u < run.end; ++u) points.push_back(row.Point(u));
-    std::vector<uint8_t> lit(points.size());
-    scene.Illuminate(sun_W_m, points, lit);
-    std::copy(lit.begin(), lit.end(), visible_1->begin() + run.begin);
-  }
-}
-
 // Mean of each pixel's 2 x 2 block; the last column takes its left neighbour.
 void MeanOfBlocks(const std::vector<uint8_t>& lit, const std::vector<uint8_t>& lit_next,
                   std::vector<float>* visible_1) {
@@ -217,7 +201,12 @@ void Shade(const Scene& scene, const View& view, LampShadows shadows, Colors col
   const int width = view.camera.width_px, height = view.camera.height_px;
   light->resize(colors.size() * view.facet.size());
   const Lights lights = LightsOf(scene.lighting());
-  LampShadow lamp(scene, lights.lamp_W_m);
+  LightShadow lamp(scene, lights.lamp_W_m, {kLampPanel_m[0], kLampPanel_m[1]});
+  // The sun's rays are parallel: they come from a point far away.
+  constexpr float kSunDistance_m = 200.0F;
+  const bool sunny = lights.sun_1.maxCoeff() > 0.0F;
+  LightShadow sun(scene, lights.lamp_W_m + kSunDistance_m * lights.to_sun_W, {0.0, 0.0});
+  std::vector<uint8_t> in_sun(static_cast<size_t>(width));
   RowOfLight row_of_light(static_cast<size_t>(width));
   std::fill(row_of_light.lamp_visible_1.begin(), row_of_light.lamp_visible_1.end(), 1.0F);
   // Rows v and v + 1, alternating: a soft shadow takes both.
@@ -237,7 +226,10 @@ void Shade(const Scene& scene, const View& view, LampShadows shadows, Colors col
     if (shadows == LampShadows::kSoft) {
       MeanOfBlocks(lit[k], lit[1 - k], &row_of_light.lamp_visible_1);
     }
-    AskSun(scene, rows[k], lights, &row_of_light.sun_visible_1);
+    if (sunny) {
+      sun.Ask(rows[k], v, in_sun);
+      std::copy(in_sun.begin(), in_sun.end(), row_of_light.sun_visible_1.begin());
+    }
     ShadeRow(scene, view, rows[k], lights, &row_of_light, colors,
              light->data() + colors.size() * static_cast<size_t>(v) * static_cast<size_t>(width));
   }

@@ -3,12 +3,12 @@
 #include <filesystem>
 
 #include "base/status.h"
-#include "geons/superquadric.h"
 #include "sim/camera_options.h"
 #include "sim/horus_emulator.h"
 #include "sim/line_faults.h"
 #include "sim/nomad_emulator.h"
 #include "sim/ptu_emulator.h"
+#include "sim/world_scene.h"
 
 namespace geon::sim {
 
@@ -19,7 +19,7 @@ struct SimOptions {
   HorusEmulatorOptions lasers;
   NomadEmulatorOptions base;
   LineFaultOptions ptu_faults, laser_faults, base_faults;
-  geons::MeshResolution geon_mesh;  // how fine the geons' surfaces are made
+  geons::MeshResolution geon_mesh = kGeonMesh;  // how fine the geons' surfaces are made
 };
 
 // Reads scripts/config/sim.yaml (which explains every key) or a file like it, strictly; what it

@@ -38,15 +38,16 @@ double Shift(const RigPose& from, const RigPose& to, double focal_px) {
                      Eigen::AngleAxisd(turned.linear()).angle() + turned.translation().norm());
 }
 
-// So many poses of an exposure that the picture moves little from one to the next; the same
-// instants for any motion, and the middle one if there was none.
-RigPath PathOf(const std::vector<RigPose>& poses, double focal_px, int most_poses) {
-  constexpr double kBetweenPoses_px = 1.5;
+// So many poses of an exposure that the picture is smeared and not doubled; the same instants for
+// any motion, and the middle one if there was none.
+RigPath PathOf(const std::vector<RigPose>& poses, double focal_px) {
+  constexpr double kStill_px = 1.5, kFast_px = 14.0;
   double shift_px = 0.0;
   for (size_t k = 1; k < poses.size(); ++k) shift_px += Shift(poses[k - 1], poses[k], focal_px);
-  const auto wanted = static_cast<size_t>(
-      std::clamp(std::ceil(shift_px / kBetweenPoses_px), 1.0, static_cast<double>(most_poses)));
-  const size_t count = std::min(wanted, poses.size());
+  size_t count = SimulatedRobot::kMostPoses;
+  if (shift_px < kFast_px) count /= 2;
+  if (shift_px < kStill_px) count = 1;
+  while (count > poses.size()) count /= 2;
   RigPath path;
   path.poses.clear();
   for (size_t k = 0; k < count; ++k) {
@@ -178,7 +179,7 @@ void SimulatedRobot::StepShutter(Shutter* shutter) {
            static_cast<double>(shutter->exposure_steps);
   };
   exposure.lasers = {share_1(0), share_1(1)};
-  exposure.path = PathOf(shutter->poses, shutter->focal_px, kMostPoses);
+  exposure.path = PathOf(shutter->poses, shutter->focal_px);
   exposures_.push_back(exposure);
 }
 

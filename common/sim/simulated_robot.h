@@ -55,7 +55,7 @@ class SimulatedRobot {
  public:
   static constexpr double kStep_s = 0.001;
   // A frame that is exposed while the camera moves is the mean of this many at most.
-  static constexpr int kMostPoses = 8;
+  static constexpr size_t kMostPoses = 8;
 
   // Errors: a mesh of the world cannot be used.
   static Result<std::unique_ptr<SimulatedRobot>> Create(const World& world,

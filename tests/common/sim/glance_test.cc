@@ -44,7 +44,7 @@ class GlancerTest : public testing::Test {
     pose_.X_WR = geometry::PlanarPose(5.0, 2.0, kPi / 2.0);
     pose_.tilt_rad = RadiansFromDegrees(-11.0);  // at a target on the floor, 2.5 m off
   }
-  std::shared_ptr<const Scene> scene() const { return *BuildScene(world_); }
+  std::shared_ptr<const Scene> scene() const { return *BuildScene(world_, {128, 32}); }
   Glancer Made(const GlanceOptions& options, uint64_t seed = 1) const {
     return {scene(), rig_, options, seed};
   }

@@ -307,6 +307,49 @@ TEST(RigRendererTest, AMovingHeadSeesTheMeanOfWhereItWas) {
   }
 }
 
+// Sum of squared differences between a picture moved by (right, down) pixels and another.
+double Misfit(const Frame& frame, const std::vector<double>& other, int right, int down) {
+  double squares = 0.0;
+  for (int v = 1; v < frame.height_px - 1; ++v) {
+    for (int u = 1; u < frame.width_px - 1; ++u) {
+      const auto pixel = static_cast<size_t>((v + down) * frame.width_px + u + right) * 3 + 2;
+      squares += std::pow(At(frame, u, v, 2) - other[pixel], 2);
+    }
+  }
+  return squares;
+}
+
+TEST(RigRendererTest, AFastHeadSmearsWhatItSeesAndPutsItWhereItIs) {
+  const std::string geon = "  - {geon: cuboid, size_m: [0.2, 0.2, 0.26], x_m: 1.5, y_m: 1.75}\n";
+  RigRenderer renderer(SceneFrom(geon), TestRig(), WithoutNoise(), 7);
+  RigPath path;
+  path.poses.clear();
+  std::vector<double> mean(640 * 480 * 3, 0.0);
+  std::vector<double> middle;
+  for (int k = 0; k < 8; ++k) {
+    RigPose pose;
+    pose.X_WR = geometry::PlanarPose(1.5, 0.6, kPi / 2);
+    pose.tilt_rad = -0.4;
+    pose.pan_rad = 0.01 / 7.0 * k;  // 16 px
+    path.poses.push_back(pose);
+    const Frame sharp = renderer.HeadColor(pose, 1);
+    for (size_t i = 0; i < mean.size(); ++i) mean[i] += sharp.pixels[i] / 8.0;
+    if (k == 4) middle.assign(sharp.pixels.begin(), sharp.pixels.end());
+  }
+  const Frame smeared = renderer.HeadColor(path, 1);
+  const double least = Misfit(smeared, mean, 0, 0);
+  EXPECT_LT(std::sqrt(least / (640.0 * 480.0)), 3.0);  // levels
+  EXPECT_LT(least, 0.2 * Misfit(smeared, middle, 0, 0));
+  // Where the misfit is least, by a parabola through three of them.
+  const auto off_px = [&](int right, int down) {
+    const double before = Misfit(smeared, mean, -right, -down);
+    const double after = Misfit(smeared, mean, right, down);
+    return 0.5 * (before - after) / (before + after - 2.0 * least);
+  };
+  EXPECT_NEAR(off_px(1, 0), 0.0, 0.5);
+  EXPECT_NEAR(off_px(0, 1), 0.0, 0.5);
+}
+
 TEST(RigRendererTest, FloorCameraSeesTheFloorInItsColour) {
   RigPose pose;
   pose.X_WR = geometry::PlanarPose(1.5, 1.0, kPi / 2);

@@ -7,6 +7,7 @@
 
 #include "base/angles.h"
 #include "config/text_file.h"
+#include "sim/view.h"
 #include "tests/common/sim/scene_testing.h"
 
 namespace geon::sim {
@@ -63,6 +64,45 @@ TEST(WorldSceneTest, BodiesAreTheFloorFourWallsAndTheObjects) {
 TEST(WorldSceneTest, MissingMeshIsNamed) {
   const World world = WorldFrom("  - {mesh: missing.obj, height_m: 0.3, x_m: 1.0, y_m: 2.0}\n");
   EXPECT_THAT(BuildScene(world).message(), ::testing::HasSubstr("missing.obj"));
+}
+
+// The head's camera, 1 m before a geon, looks at it as it is and as if it were made four times as
+// fine: by how much of a pixel is the outline off, and what lies within it?
+TEST(WorldSceneTest, GeonsAreMadeSoFineThatNobodySeesTheirFacets) {
+  const geometry::PinholeCamera camera = {640, 480, 1600.0, 1600.0, 319.5, 239.5};
+  for (const char* geon :
+       {"{geon: cylinder, size_m: [0.2, 0.2, 0.2], x_m: 1.5, y_m: 1.6}\n",
+        "{geon: ellipsoid, size_m: [0.2, 0.24, 0.2], x_m: 1.5, y_m: 1.6}\n",
+        "{geon: bent_cylinder, size_m: [0.08, 0.08, 0.3], bend_deg: 120, x_m: 1.5, y_m: 1.6}\n",
+        "{geon: tapered_cuboid, size_m: [0.2, 0.14, 0.2], taper: 0.3, x_m: 1.5, y_m: 1.6, "
+        "yaw_deg: 20}\n"}) {
+    const World world = WorldFrom(std::string("  - ") + geon);
+    const auto made = *BuildScene(world), fine = *BuildScene(world, {512, 384});
+    const int body = static_cast<int>(made->bodies().size()) - 1;
+    const geometry::RigidTransform X_WC =
+        geometry::MakeTransform(geometry::RotationAboutX(-kPi / 2 - 0.1), {1.5, 0.5, 0.2});
+    View as_made, as_fine;
+    LookThrough(*made, camera, X_WC, &as_made);
+    LookThrough(*fine, camera, X_WC, &as_fine);
+    const auto on_geon = [&](const Scene& scene, int facet) {
+      return facet != View::kNothing &&
+             scene.facets().facets()[static_cast<size_t>(facet)].body == body;
+    };
+    int otherwise = 0, outline = 0, within = 0;
+    double depth_m = 0.0;
+    for (size_t k = 1; k < as_made.facet.size(); ++k) {
+      const bool here = on_geon(*made, as_made.facet[k]), truly = on_geon(*fine, as_fine.facet[k]);
+      otherwise += here != truly ? 1 : 0;
+      outline += truly != on_geon(*fine, as_fine.facet[k - 1]) ? 1 : 0;
+      if (!here || !truly) continue;
+      ++within;
+      depth_m += std::abs(1.0 / as_made.nearness_1_m[k] - 1.0 / as_fine.nearness_1_m[k]);
+    }
+    ASSERT_GT(outline, 200) << geon;
+    RecordProperty("off_px", std::to_string(static_cast<double>(otherwise) / outline));
+    EXPECT_LT(static_cast<double>(otherwise) / outline, 0.1) << geon;
+    EXPECT_LT(depth_m / within, 1e-4) << geon;  // a fifth of what 0.1 px of a stripe is worth
+  }
 }
 
 }  // namespace

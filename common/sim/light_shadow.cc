@@ -1,8 +1,6 @@
-#include "sim/lamp_shadow.h"
+#include "sim/light_shadow.h"
 
 #include <algorithm>
-
-#include "sim/lighting.h"
 
 namespace geon::sim {
 namespace {
@@ -15,24 +13,24 @@ constexpr float kGrazingCosine = 0.02F;  // flatter light may meet the facet its
 
 }  // namespace
 
-LampShadow::LampShadow(const Scene& scene, const Vector3f& lamp_W_m)
-    : scene_(scene), lamp_W_m_(lamp_W_m) {
-  constexpr auto kQuarterX_m = static_cast<float>(0.25 * kLampPanel_m[0]);
-  constexpr auto kQuarterY_m = static_cast<float>(0.25 * kLampPanel_m[1]);
+LightShadow::LightShadow(const Scene& scene, const Vector3f& light_W_m,
+                         const Eigen::Vector2d& panel_m)
+    : scene_(scene), light_W_m_(light_W_m) {
+  const Eigen::Vector2f quarter_m = (0.25 * panel_m).cast<float>();
   for (size_t k = 0; k < 4; ++k) {
-    quarters_W_m_[k] = lamp_W_m + Vector3f(k % 2 == 0 ? -kQuarterX_m : kQuarterX_m,
-                                           k / 2 == 0 ? -kQuarterY_m : kQuarterY_m, 0);
+    quarters_W_m_[k] = light_W_m + Vector3f(k % 2 == 0 ? -quarter_m.x() : quarter_m.x(),
+                                            k / 2 == 0 ? -quarter_m.y() : quarter_m.y(), 0);
   }
 }
 
-// Follows the light from the line up to the lamp through the heights at which the body is: there
-// it stays within a box that shrinks and moves linearly from the line's box to the lamp's.
-bool LampShadow::MayBlock(const Eigen::AlignedBox3d& body, const Eigen::AlignedBox3d& line) const {
-  const double lamp_m = side_W_m_.min().z();
-  if (std::max(body.max().z(), line.max().z()) > lamp_m - 0.1) return true;  // not below the lamp
+// Follows the light from the line up to the panel through the heights at which the body is: there
+// it stays within a box that shrinks and moves linearly from the line's box to the panel's.
+bool LightShadow::MayBlock(const Eigen::AlignedBox3d& body, const Eigen::AlignedBox3d& line) const {
+  const double light_m = side_W_m_.min().z();
+  if (std::max(body.max().z(), line.max().z()) > light_m - 0.1) return true;  // not below it
   if (line.min().z() > body.max().z() + kMargin_m) return false;
   const auto share_of_way = [&](double height_m, double from_m) {
-    return std::max(0.0, (height_m - from_m) / (lamp_m - from_m));
+    return std::max(0.0, (height_m - from_m) / (light_m - from_m));
   };
   const double enters_1 = share_of_way(body.min().z(), line.max().z());
   const double leaves_1 = share_of_way(body.max().z(), line.min().z());
@@ -49,8 +47,8 @@ bool LampShadow::MayBlock(const Eigen::AlignedBox3d& body, const Eigen::AlignedB
   return true;
 }
 
-bool LampShadow::IsSurelyLit(const Vector3f& normal, const Vector3f& first, const Vector3f& last,
-                             int body) const {
+bool LightShadow::IsSurelyLit(const Vector3f& normal, const Vector3f& first, const Vector3f& last,
+                              int body) const {
   for (const size_t k : {first_quarter_, first_quarter_ + 1}) {
     const Vector3f& quarter = quarters_W_m_[k];
     for (const Vector3f& end : {first, last}) {
@@ -68,17 +66,17 @@ bool LampShadow::IsSurelyLit(const Vector3f& normal, const Vector3f& first, cons
   return true;
 }
 
-void LampShadow::Enlist(const SurfaceRow& row, int begin, int end) {
+void LightShadow::Enlist(const SurfaceRow& row, int begin, int end) {
   for (int u = begin; u < end; ++u) {
     const Vector3f point = row.Point(u);
-    if (row.Normal(u).dot(lamp_W_m_ - point) <= 0.0F) continue;  // turned away: no light to shade
+    if (row.Normal(u).dot(light_W_m_ - point) <= 0.0F) continue;  // turned away: no light to shade
     Rays& rays = rays_[static_cast<size_t>(u % 2)];
     rays.columns.push_back(u);
     rays.points_W_m.push_back(point);
   }
 }
 
-void LampShadow::AskLine(const SurfaceRow& row, int body, int begin, int end) {
+void LightShadow::AskLine(const SurfaceRow& row, int body, int begin, int end) {
   if (IsSurelyLit(row.Normal(begin), row.Point(begin), row.Point(end - 1), body)) return;
   if (end - begin <= kShortest_px) {
     Enlist(row, begin, end);
@@ -89,7 +87,7 @@ void LampShadow::AskLine(const SurfaceRow& row, int body, int begin, int end) {
   AskLine(row, body, middle, end);
 }
 
-void LampShadow::Ask(const SurfaceRow& row, int v, std::span<uint8_t> lit) {
+void LightShadow::Ask(const SurfaceRow& row, int v, std::span<uint8_t> lit) {
   std::fill(lit.begin(), lit.end(), uint8_t{1});
   first_quarter_ = static_cast<size_t>(v % 2) * 2;
   side_W_m_ = Eigen::AlignedBox3d(quarters_W_m_[first_quarter_].cast<double>());

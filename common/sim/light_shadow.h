@@ -11,15 +11,16 @@
 
 namespace geon::sim {
 
-// Where the ceiling lamp shines freely. The lamp is a panel of four quarters; the pixels of a 2 x 2
-// block ask one quarter each, so that their mean gives shadows a soft edge.
+// Where a light shines freely. It is a level panel of four quarters; the pixels of a 2 x 2 block
+// ask one quarter each, so that their mean gives shadows a soft edge. A panel without a size throws
+// hard shadows.
 //
 // Each answer is that of a shadow ray, but most need no ray: along a row, pixels on one flat facet
-// lie on a straight line, and if no body's box reaches into the light between line and lamp, all
+// lie on a straight line, and if no body's box reaches into the light between line and panel, all
 // of them are lit. Otherwise the halves of the line are asked, and single rays at last.
-class LampShadow {
+class LightShadow {
  public:
-  LampShadow(const Scene& scene, const Eigen::Vector3f& lamp_W_m);
+  LightShadow(const Scene& scene, const Eigen::Vector3f& light_W_m, const Eigen::Vector2d& panel_m);
 
   // Row v of a picture: 1 where the pixel's quarter shines, or would be behind the surface.
   void Ask(const SurfaceRow& row, int v, std::span<uint8_t> lit);
@@ -32,7 +33,7 @@ class LampShadow {
   void Enlist(const SurfaceRow& row, int begin, int end);
 
   const Scene& scene_;
-  Eigen::Vector3f lamp_W_m_;
+  Eigen::Vector3f light_W_m_;
   std::array<Eigen::Vector3f, 4> quarters_W_m_;
   size_t first_quarter_ = 0;      // of the row in work: even columns ask it, odd ones the next
   Eigen::AlignedBox3d side_W_m_;  // of the panel: the two quarters that the row in work asks
