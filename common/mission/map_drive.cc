@@ -146,7 +146,7 @@ bool MapDrive::Progresses(double now_s, double cost_m) {
 }
 
 void MapDrive::StartRecovery(double now_s, const Senses& senses) {
-  const Recovery last = goal_.insists() ? Recovery::kStepBack : Recovery::kForget;
+  const Recovery last = goal_.insists ? Recovery::kStepBack : Recovery::kForget;
   recovery_ = recovery_ >= last ? Recovery::kGiveUp
                                 : static_cast<Recovery>(static_cast<int>(recovery_) + 1);
   recovering_ = true;
@@ -184,15 +184,20 @@ std::optional<MapDrive::Answer> MapDrive::Recover(double now_s, Senses* senses) 
                     "no nearer: stepping back",
                     {}};
     case Recovery::kGiveUp:
-      return Answer{{},
-                    "",
-                    std::isfinite(recovered_cost_m_)
-                        ? "unreachable: the robot comes no nearer on the way that the map shows"
-                        : "unreachable: obstacles close every way to where the target can be seen"};
+      return Answer{{}, "", WhyUnreachable()};
     case Recovery::kNone:
       break;
   }
   return end();
+}
+
+std::string MapDrive::WhyUnreachable() const {
+  if (std::isfinite(recovered_cost_m_)) {
+    return "unreachable: the robot comes no nearer on the way that the map shows";
+  }
+  const bool place = goal_.stop_distance_m <= 0.0;
+  return std::string("unreachable: obstacles close every way to ") +
+         (place ? "the place" : "where the target can be seen");
 }
 
 }  // namespace geon::mission

@@ -34,7 +34,7 @@ class MapDrive {
   // Toward a target in W, to stop at most `stop_distance_m` before it.
   Answer Toward(double now_s, const Eigen::Vector2d& p_WTarget_m, double stop_distance_m,
                 Senses* senses) {
-    return Drive(now_s, {p_WTarget_m, stop_distance_m, {}}, senses);
+    return Drive(now_s, {p_WTarget_m, stop_distance_m, {}, true}, senses);
   }
   // Round a target to one of its sides: the bearing in W from the target to the robot. Given up
   // after the first two recoveries.
@@ -45,6 +45,10 @@ class MapDrive {
   // To a place in W. One of many, so that it is given up after the first two recoveries.
   Answer To(double now_s, const Eigen::Vector2d& p_W_m, Senses* senses) {
     return Drive(now_s, {p_W_m, 0.0, {}}, senses);
+  }
+  // To the one place in W that the robot was sent to: everything is tried.
+  Answer ToDestination(double now_s, const Eigen::Vector2d& p_W_m, Senses* senses) {
+    return Drive(now_s, {p_W_m, 0.0, {}, true}, senses);
   }
 
   // Starts anew: another target, or something else took over meanwhile.
@@ -60,12 +64,13 @@ class MapDrive {
     Eigen::Vector2d p_W_m = Eigen::Vector2d::Zero();
     double stop_distance_m = 0.0;  // 0: a place to stand at, not a target
     std::optional<double> side_rad;
-    bool insists() const { return stop_distance_m > 0.0 && !side_rad; }
+    bool insists = false;  // on this one goal: looks round and steps back before giving up
   };
   Answer Drive(double now_s, const Goal& goal, Senses* senses);
   void Map(double now_s, const Senses& senses);
   std::vector<navigation::CostToGo::Goal> GoalCells(const navigation::OccupancyGrid& map) const;
   std::optional<Answer> Recover(double now_s, Senses* senses);
+  std::string WhyUnreachable() const;
   void StartRecovery(double now_s, const Senses& senses);
   // Slow where the body comes upon ground that no picture showed.
   navigation::DriveVelocity Careful(navigation::DriveVelocity velocity, const Senses& senses) const;

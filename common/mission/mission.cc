@@ -23,7 +23,8 @@ constexpr double kBlind_s = 1.2;
 constexpr double kOneTarget_m = 0.35;  // scans so near to each other are of one target
 
 bool Drives(Phase phase) {
-  return phase == Phase::kSearch || phase == Phase::kApproach || phase == Phase::kBackOff;
+  return phase == Phase::kTravel || phase == Phase::kSearch || phase == Phase::kApproach ||
+         phase == Phase::kBackOff;
 }
 
 std::vector<Eigen::Vector2d> InWorld(const geometry::RigidTransform& X_WR,
@@ -146,7 +147,9 @@ Transition Mission::CheckContact() {
 Transition Mission::StepPhase() {
   switch (phase_) {
     case Phase::kWait:
-      return Next{Phase::kSearch, "all devices answer"};
+      return Next{options_.destination_W_m ? Phase::kTravel : Phase::kSearch, "all devices answer"};
+    case Phase::kTravel:
+      return travel_.Step(&context_);
     case Phase::kSearch:
       return search_.Step(&context_);
     case Phase::kApproach:
@@ -248,7 +251,8 @@ std::optional<sensor::GeonVerdict> Mission::FinishTarget(const std::string& why)
 }
 
 Next Mission::NextGeon(const Next& end) {
-  const bool seen = context_.views.count() > 0 || phase_ != Phase::kSearch;
+  const bool seen =
+      context_.views.count() > 0 || (phase_ != Phase::kSearch && phase_ != Phase::kTravel);
   std::optional<sensor::GeonVerdict> verdict;
   if (seen) verdict = FinishTarget(end.why);
   if (!options_.inventory) {
@@ -276,6 +280,9 @@ void Mission::Enter(const Next& next) {
   context_.wishes.velocity = {};
   switch (phase_) {
     case Phase::kWait:
+      break;
+    case Phase::kTravel:
+      travel_.Enter(&context_);
       break;
     case Phase::kSearch:
       search_.Enter(&context_, next.near);
@@ -328,7 +335,8 @@ sensor::PlannerState Mission::State() const {
   if (const SupportHypothesis* target = context_.target.Best()) {
     state.p_WTarget_m = target->p_WFoot_m;
   }
-  const bool by_map = options_.driving.planner == PlannerKind::kMap && phase_ == Phase::kApproach;
+  const bool by_map = options_.driving.planner == PlannerKind::kMap &&
+                      (phase_ == Phase::kApproach || phase_ == Phase::kTravel);
   if (Drives(phase_)) {
     const auto show = [&](const auto& drive) {
       state.safe_polygon_W_m = InWorld(X_WR, drive.polygon_R().vertices());
