@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/contracts.h"
+
 namespace geon::attention {
 namespace {
 
@@ -99,6 +101,18 @@ ColorHalfSpace WholeNumbered(const ColorHalfSpace& half_space) {
   const double scale = (128.0 - 3 * 0.5) / sum;  // rounding may add a half to each
   return {std::round(half_space.red_1 * scale), std::round(half_space.green_1 * scale),
           std::round(half_space.blue_1 * scale), std::round(half_space.threshold_1 * scale)};
+}
+
+ColorModel AtLevel(const ColorModel& model, double level_1) {
+  Require(level_1 > 0.0 && level_1 <= 1.0, "AtLevel: level_1", level_1, "must be within 0 and 1");
+  ColorModel fainter = model;
+  for (auto* regions : {&fainter.target, &fainter.rim}) {
+    for (HalfSpaceColor& region : *regions) {
+      for (ColorHalfSpace& half_space : region.half_spaces) half_space.threshold_1 *= level_1;
+    }
+  }
+  fainter.dark_level_1 = static_cast<int>(level_1 * model.dark_level_1);
+  return fainter;
 }
 
 std::optional<ColorModel> NamedColorModel(std::string_view name) {

@@ -68,6 +68,10 @@ struct ColorModel {
 // Learned planes should be such ones.
 ColorHalfSpace WholeNumbered(const ColorHalfSpace& half_space);
 
+// The same colours in a picture whose levels are all this share of what they could be: what is the
+// target's colour when exposed longer. 0 < level_1 <= 1 (ContractViolation).
+ColorModel AtLevel(const ColorModel& model, double level_1);
+
 // Nothing for a name that is none of NamedColorModels().
 std::optional<ColorModel> NamedColorModel(std::string_view name);
 std::vector<std::string> NamedColorModels();

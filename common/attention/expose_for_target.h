@@ -16,9 +16,9 @@ struct ExposureOptions {
   double aim_level_1 = 218.0;
   double high_level_1 = 235.0;
   // Without a target in view: the same of the median of the whole picture.
-  double low_scene_level_1 = 90.0;
-  double aim_scene_level_1 = 110.0;
-  double high_scene_level_1 = 130.0;
+  double low_scene_level_1 = 105.0;
+  double aim_scene_level_1 = 130.0;
+  double high_scene_level_1 = 160.0;
   double gamma_1 = 2.2;            // of the camera: level = light to the power of 1 / gamma
   double clipped_level_1 = 250.0;  // at or above, the light may be any amount ...
   double clipped_step_1 = 0.4;     // ... and the exposure changes by this

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kFaced_rad = 0.35;            // beyond this the robot turns to the target first
 constexpr double kNearEnough_m = 0.08;         // beyond the stopping distance
+constexpr double kOffGaze_rad = 0.05;          // then the head is pointed anew
 constexpr double kLookPatienceFactor_1 = 3.0;  // of image_s: head still and a picture taken
 
 }  // namespace
@@ -26,6 +27,19 @@ void CentrePhase::Enter(Context* context) {
     const auto& ptu = context->senses.ptu();
     context->head.Point({ptu.pan_rad, ptu.tilt_rad});
   }
+  following_ = true;
+  gaze_W_m_ = GazeAt(*context, context->senses.X_WR(), *context->head.wanted());
+}
+
+void CentrePhase::Follow(Context* context) {
+  const auto& seen = context->senses.head();
+  if (seen && seen->seen.target) gaze_W_m_ = GazeAtTarget(*context, *seen);
+  const auto aim = AimAt(*context, gaze_W_m_.head<2>(), gaze_W_m_.z());
+  const active_vision::HeadAngles& wanted = *context->head.wanted();
+  if (aim && (std::abs(aim->pan_rad - wanted.pan_rad) > kOffGaze_rad ||
+              std::abs(aim->tilt_rad - wanted.tilt_rad) > kOffGaze_rad)) {
+    context->head.Point(*aim);
+  }
 }
 
 Transition CentrePhase::Step(Context* context) {
@@ -37,8 +51,10 @@ Transition CentrePhase::Step(Context* context) {
   if (!context->head.Settled(context->time_s, context->senses.ptu(),
                              context->options.looking.settle_s) ||
       context->senses.base().moving) {
+    if (following_) Follow(context);
     return std::nullopt;
   }
+  following_ = false;
   const auto& head = context->senses.head();
   const auto& wanted = *context->head.wanted();
   if (!head || !head->still || !Same(head->head, wanted)) return std::nullopt;

@@ -17,12 +17,17 @@ class CentrePhase {
   Transition Step(Context* context);
 
  private:
+  // The robot still turns, or the head does: keeps the gaze on the place, or the target, that it
+  // is for.
+  void Follow(Context* context);
   Transition Judge(Context* context, const HeadSighting& sighting);
   // Points the head where the target would be if its support had another height; whether there is
   // one that was not tried.
   bool TryAnotherHeight(Context* context);
   Transition Centred(Context* context, const HeadSighting& sighting);
 
+  bool following_ = false;  // until all stands still for the first time
+  Eigen::Vector3d gaze_W_m_ = Eigen::Vector3d::Zero();
   int steps_ = 0;
   int lost_ = 0;
   std::set<double> tried_heights_m_;

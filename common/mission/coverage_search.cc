@@ -190,11 +190,11 @@ void CoverageSearch::Drive(Context* context) {
   if ((place_.place_W_m - here_W_m).norm() < kThere_m) {
     // What cannot be seen from here now never will.
     given_up_W_m_.push_back(place_.place_W_m);
-    leg_ = Leg::kChoose;
+    StopDriving(context);
     return;
   }
   if (context->time_s - weighed_s_ > kWeighEvery_s && !IsStillWorthIt(*context)) {
-    leg_ = Leg::kChoose;
+    StopDriving(context);
     return;
   }
   context->head.Point(AheadAt(*context, kFar_rad));
@@ -203,7 +203,12 @@ void CoverageSearch::Drive(Context* context) {
   context->wishes.velocity = answer.velocity;
   if (!answer.unreachable) return;
   given_up_W_m_.push_back(place_.place_W_m);
+  StopDriving(context);
+}
+
+void CoverageSearch::StopDriving(Context* context) {
   leg_ = Leg::kChoose;
+  context->map_drive.Rest();
 }
 
 void CoverageSearch::StartLook(Context* context, std::vector<navigation::Unlooked> unlooked) {

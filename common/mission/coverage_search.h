@@ -41,6 +41,7 @@ class CoverageSearch {
   bool IsStillWorthIt(const Context& context);
   Transition Choose(Context* context);
   void Drive(Context* context);
+  void StopDriving(Context* context);
   void StartLook(Context* context, std::vector<navigation::Unlooked> unlooked);
   void StepLook(Context* context);
   void TurnHead(Context* context);

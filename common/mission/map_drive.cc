@@ -42,6 +42,7 @@ MapDrive::MapDrive(const MissionOptions& options)
 
 void MapDrive::Rest() {
   follower_.Rest();
+  polygon_R_ = {};
   mapped_W_m_.reset();
   started_ = recovering_ = false;
   recovery_ = Recovery::kNone;
@@ -87,6 +88,10 @@ navigation::DriveVelocity MapDrive::Careful(navigation::DriveVelocity velocity,
   constexpr double kSlow_m_s = 0.1;
   constexpr double kAhead_m = 0.15;
   if (velocity.speed_m_s <= kSlow_m_s) return velocity;
+  if (recovery_ >= Recovery::kForget) {  // what stands round here may have been forgotten
+    velocity.speed_m_s = kSlow_m_s;
+    return velocity;
+  }
   const navigation::OccupancyGrid& map = *senses.map();
   const geometry::RigidTransform X_WR = senses.X_WR();
   const double radius_m = options_.velocity.body_radius_m;
@@ -146,7 +151,7 @@ bool MapDrive::Progresses(double now_s, double cost_m) {
 }
 
 void MapDrive::StartRecovery(double now_s, const Senses& senses) {
-  const Recovery last = goal_.insists ? Recovery::kStepBack : Recovery::kForget;
+  const Recovery last = goal_.insists ? Recovery::kStepBack : Recovery::kDoubtBright;
   recovery_ = recovery_ >= last ? Recovery::kGiveUp
                                 : static_cast<Recovery>(static_cast<int>(recovery_) + 1);
   recovering_ = true;
@@ -170,6 +175,10 @@ std::optional<MapDrive::Answer> MapDrive::Recover(double now_s, Senses* senses) 
     case Recovery::kForget:
       senses->ForgetDoubtfulObstacles();
       return end();
+    case Recovery::kDoubtBright:
+      if (senses->DoubtBrightObstacles(now_s)) return end();
+      StartRecovery(now_s, *senses);
+      return Recover(now_s, senses);
     case Recovery::kLookRound: {
       const double heading_rad = senses->base().heading_rad;
       turned_rad_ += WrapAngle(heading_rad - last_heading_rad_);

@@ -18,8 +18,9 @@ namespace geon::mission {
 // The planner `map`: drives to where a target can be looked at, by what the map of obstacles says
 // it costs from everywhere (cost_to_go.h), one straight move within the safe polygon after another
 // (thesis 4.3). It notices when it comes no nearer and then tries, in this order: hear the whole
-// sonar ring anew, forget what may have been a mistake, look all round, step back. What none of
-// these opens is unreachable, and why is told.
+// sonar ring anew, forget what may have been a mistake, doubt what may be a lamp's image in the
+// floor (the speed on ground that no picture showed is low), look all round, step back. What none
+// of these opens is unreachable, and why is told.
 class MapDrive {
  public:
   explicit MapDrive(const MissionOptions& options);
@@ -37,12 +38,12 @@ class MapDrive {
     return Drive(now_s, {p_WTarget_m, stop_distance_m, {}, true}, senses);
   }
   // Round a target to one of its sides: the bearing in W from the target to the robot. Given up
-  // after the first two recoveries.
+  // after the first three recoveries.
   Answer Round(double now_s, const Eigen::Vector2d& p_WTarget_m, double stop_distance_m,
                double side_rad, Senses* senses) {
     return Drive(now_s, {p_WTarget_m, stop_distance_m, side_rad}, senses);
   }
-  // To a place in W. One of many, so that it is given up after the first two recoveries.
+  // To a place in W. One of many, so that it is given up after the first three recoveries.
   Answer To(double now_s, const Eigen::Vector2d& p_W_m, Senses* senses) {
     return Drive(now_s, {p_W_m, 0.0, {}}, senses);
   }
@@ -54,12 +55,12 @@ class MapDrive {
   // Starts anew: another target, or something else took over meanwhile.
   void Rest();
 
-  // What the last answer was made of, frame R, for people.
+  // What the last answer was made of, frame R, for people; nothing after Rest.
   const geometry::ConvexPolygon& polygon_R() const { return polygon_R_; }
   const Eigen::Vector2d& waypoint_R_m() const { return follower_.waypoint_R_m(); }
 
  private:
-  enum class Recovery { kNone, kListen, kForget, kLookRound, kStepBack, kGiveUp };
+  enum class Recovery { kNone, kListen, kForget, kDoubtBright, kLookRound, kStepBack, kGiveUp };
   struct Goal {
     Eigen::Vector2d p_W_m = Eigen::Vector2d::Zero();
     double stop_distance_m = 0.0;  // 0: a place to stand at, not a target
@@ -72,7 +73,8 @@ class MapDrive {
   std::optional<Answer> Recover(double now_s, Senses* senses);
   std::string WhyUnreachable() const;
   void StartRecovery(double now_s, const Senses& senses);
-  // Slow where the body comes upon ground that no picture showed.
+  // Slow where the body comes upon ground that no picture showed, and where obstacles were
+  // forgotten.
   navigation::DriveVelocity Careful(navigation::DriveVelocity velocity, const Senses& senses) const;
   // Whether the cost from here fell lately; else something must be tried.
   bool Progresses(double now_s, double cost_m);

@@ -335,8 +335,7 @@ sensor::PlannerState Mission::State() const {
   if (const SupportHypothesis* target = context_.target.Best()) {
     state.p_WTarget_m = target->p_WFoot_m;
   }
-  const bool by_map = options_.driving.planner == PlannerKind::kMap &&
-                      (phase_ == Phase::kApproach || phase_ == Phase::kTravel);
+  const bool by_map = options_.driving.planner == PlannerKind::kMap && phase_ != Phase::kBackOff;
   if (Drives(phase_)) {
     const auto show = [&](const auto& drive) {
       state.safe_polygon_W_m = InWorld(X_WR, drive.polygon_R().vertices());

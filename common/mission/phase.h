@@ -114,6 +114,12 @@ Eigen::Vector2d InRobot(const Context& context, const Eigen::Vector2d& p_W_m);
 // Head angles that look at a point of the room at a height, within the head's limits.
 std::optional<active_vision::HeadAngles> AimAt(const Context& context, const Eigen::Vector2d& p_W_m,
                                                double height_m);
+// A point in the middle of what the head's camera sees at these angles, some metres away (frame W).
+Eigen::Vector3d GazeAt(const Context& context, const geometry::RigidTransform& X_WR,
+                       const active_vision::HeadAngles& head);
+// Where the whole target of a picture is to be looked for (frame W): where the centring asks for
+// when an edge cuts it off (thesis 4.2.2); its middle when the head was turning; else there.
+Eigen::Vector3d GazeAtTarget(const Context& context, const HeadSighting& sighting);
 // Whether two looks are the same, but for the PTU's resolution.
 bool Same(const active_vision::HeadAngles& a, const active_vision::HeadAngles& b);
 // Steps back, and stops that much farther from the target from now on, when patience allows; else

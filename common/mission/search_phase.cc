@@ -14,15 +14,6 @@ constexpr double kTurnPatience_s = 8.0;
 constexpr int kFloorSightings = 2;  // one alone may be a speck
 const active_vision::HeadAngles kAhead{0.0, -0.1};
 
-// Where to look for the whole target: at once where a part of it points to, else where it was seen.
-active_vision::HeadAngles FirstAim(const Context& context, const HeadSighting& sighting) {
-  const active_vision::HeadLimits limits = context.senses.head_limits();
-  const auto step =
-      active_vision::CenterTarget(context.rig, sighting.seen.target->box, sighting.head, limits,
-                                  context.options.looking.centering);
-  return step.outcome == active_vision::Centering::kTurn ? step.head : limits.Clamp(sighting.head);
-}
-
 }  // namespace
 
 void SearchPhase::Enter(Context* context, bool near) {
@@ -71,7 +62,10 @@ Transition SearchPhase::Step(Context* context) {
   const auto& head = context->senses.head();
   if (head && head->seen.target) {
     context->wishes.decision = Decision{*head, 0};
-    context->head.Point(FirstAim(*context, *head));
+    const Eigen::Vector3d gaze_W_m = GazeAtTarget(*context, *head);
+    if (const auto aim = AimAt(*context, gaze_W_m.head<2>(), gaze_W_m.z())) {
+      context->head.Point(*aim);
+    }
     return Next{Phase::kCentre, "the head camera sees the target's colour"};
   }
   const auto& floor = context->senses.floor();

@@ -66,6 +66,8 @@ void Senses::ForgetDoubtfulObstacles() {
   if (map_) map_->ForgetDoubtful();
 }
 
+bool Senses::DoubtBrightObstacles(double now_s) { return map_ && map_->DoubtBright(now_s); }
+
 bool Senses::FloorPatchIsFree(double now_s) const {
   return moved_s_ >= 0.0 && now_s - moved_s_ > kSonarRound_s &&
          navigation::PatchIsFree(echoes_R_m_, floor_options_);

@@ -68,6 +68,9 @@ class Senses {
   const navigation::OccupancyGrid* map() const { return map_ ? &*map_ : nullptr; }
   // Forgets what may have been a mistake.
   void ForgetDoubtfulObstacles();
+  // For some time does without obstacles that may be a lamp's image in the floor; whether there are
+  // any (OccupancyGrid::DoubtBright).
+  bool DoubtBrightObstacles(double now_s);
   // Seconds since a floor picture was last looked at: nobody drives on old pictures.
   double floor_age_s(double now_s) const { return now_s - floor_looked_s_; }
   // The whole sonar ring was heard since the robot stands, and nothing of it before the robot: the

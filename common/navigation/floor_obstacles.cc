@@ -23,15 +23,29 @@ Colour ColourOf(const cv::Vec3b& bgr) {
   return {bgr[2] / sum, bgr[1] / sum, sum / 3.0};
 }
 
-bool IsFloor(const cv::Vec3b& bgr, const FloorModel& model) {
-  const Colour colour = ColourOf(bgr);
+constexpr double kNoiseMargin_1 = 4.5;     // standard deviations of floor that are still floor
+constexpr double kLampTolerance_1 = 0.05;  // in each share, from one room's lamp to another's
+
+// The largest difference in a share.
+double OffColour(const Colour& colour, const FloorModel& model) {
   const double red_1 = colour.red_share_1 - model.red_share_1;
   const double green_1 = colour.green_share_1 - model.green_share_1;
   const double blue_1 = -red_1 - green_1;
-  return std::max({std::abs(red_1), std::abs(green_1), std::abs(blue_1)}) <=
-             model.share_tolerance_1 &&
+  return std::max({std::abs(red_1), std::abs(green_1), std::abs(blue_1)});
+}
+
+bool IsFloor(const cv::Vec3b& bgr, const FloorModel& model) {
+  const Colour colour = ColourOf(bgr);
+  return OffColour(colour, model) <= model.share_tolerance_1 &&
          colour.level >= model.darkest_1 * model.level &&
          colour.level <= model.brightest_1 * model.level;
+}
+
+// Of what is no floor: a mirrored lamp adds its own colour to that of the floor it lights.
+bool IsBright(const cv::Vec3b& bgr, const FloorModel& model) {
+  const Colour colour = ColourOf(bgr);
+  return colour.level > model.brightest_1 * model.level &&
+         OffColour(colour, model) <= kLampTolerance_1;
 }
 
 // Where the ray through a pixel meets the floor, or nothing when it does not within the range.
@@ -102,21 +116,26 @@ std::optional<FloorColumn> FollowGround(const cv::Mat& not_floor, double azimuth
     return line->near_px + (steps == 0 ? 0.0 : std::clamp(step / steps, 0.0, 1.0)) * along_px;
   };
   bool obstacle = false;
+  bool bright = false;
   int run_px = 0;
   int floor_steps = 0;
   for (int i = 0; i <= steps && !obstacle; ++i) {
     const Eigen::Vector2d p_px = place(i);
-    if (not_floor.at<uint8_t>(static_cast<int>(std::lround(p_px.y())),
-                              static_cast<int>(std::lround(p_px.x()))) == 0) {
+    const uint8_t pixel = not_floor.at<uint8_t>(static_cast<int>(std::lround(p_px.y())),
+                                                static_cast<int>(std::lround(p_px.x())));
+    if (pixel == 0) {
       run_px = 0;
       floor_steps = i + 1;
     } else {
+      bright = pixel == kBrightMask && (bright || run_px == 0);
       obstacle = ++run_px >= options.min_run_px;
     }
   }
   // The near edge of the first pixel that is no floor: where the obstacle can begin at the nearest.
-  return FloorBetween(place(0.0), place(std::max(0.0, floor_steps - 0.5)), obstacle, camera, X_RF,
-                      options.max_range_m);
+  auto column = FloorBetween(place(0.0), place(std::max(0.0, floor_steps - 0.5)), obstacle, camera,
+                             X_RF, options.max_range_m);
+  if (column) column->bright = obstacle && bright;
+  return column;
 }
 
 // Standard deviation about a median, from the median of distances, which seams and specks do not
@@ -125,9 +144,6 @@ double Spread(std::vector<double> values, double median) {
   for (double& value : values) value = std::abs(value - median);
   return 1.4826 * Median(std::move(values));
 }
-
-constexpr double kNoiseMargin_1 = 4.5;     // standard deviations of floor that are still floor
-constexpr double kLampTolerance_1 = 0.05;  // in each share, from one room's lamp to another's
 
 }  // namespace
 
@@ -164,8 +180,9 @@ cv::Mat NotFloorMask(const cv::Mat& image_bgr, const FloorModel& model) {
   cv::Mat mask(image_bgr.size(), CV_8UC1);
   for (int v_px = 0; v_px < image_bgr.rows; ++v_px) {
     for (int u_px = 0; u_px < image_bgr.cols; ++u_px) {
-      const bool floor = IsFloor(image_bgr.at<cv::Vec3b>(v_px, u_px), model);
-      mask.at<uint8_t>(v_px, u_px) = floor ? 0 : 255;
+      const cv::Vec3b& pixel = image_bgr.at<cv::Vec3b>(v_px, u_px);
+      const uint8_t other = IsBright(pixel, model) ? kBrightMask : 255;
+      mask.at<uint8_t>(v_px, u_px) = IsFloor(pixel, model) ? 0 : other;
     }
   }
   cv::morphologyEx(mask, mask, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8U));

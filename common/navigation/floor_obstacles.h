@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <span>
@@ -47,10 +48,15 @@ struct FloorColumn {
   Eigen::Vector2d begin_R_m = Eigen::Vector2d::Zero();
   Eigen::Vector2d end_R_m = Eigen::Vector2d::Zero();
   bool obstacle = false;
+  // That is brighter than the floor and has no other colour: maybe a lamp's image in the floor.
+  bool bright = false;
 };
 
-// 255 where a pixel has not the floor's colour; specks and lines under 3 pixels are gone.
-// `image_bgr` CV_8UC3.
+// In the mask: what is brighter than the floor, and no more coloured than a lamp.
+inline constexpr uint8_t kBrightMask = 128;
+
+// 255 or kBrightMask where a pixel has not the floor's colour; specks and lines under 3 pixels are
+// gone. `image_bgr` CV_8UC3.
 cv::Mat NotFloorMask(const cv::Mat& image_bgr, const FloorModel& model);
 
 // Nearest points that are not floor, by direction, from left to right.

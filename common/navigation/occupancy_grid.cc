@@ -136,6 +136,7 @@ void OccupancyGrid::SeeFloor(double now_s, const geometry::RigidTransform& X_WR,
   for (const FloorColumn& column : columns) {
     // Without any floor below it, an obstacle is nearer than the picture shows: nobody knows where.
     if (!column.obstacle || column.begin_R_m == column.end_R_m) continue;
+    if (column.bright && now_s < doubting_until_s_) continue;
     const Eigen::Vector2d p_W_m = geometry::OnGround(X_WR, column.end_R_m);
     const GridCell cell = CellAt(p_W_m);
     if (!Covers(cell)) continue;
@@ -143,6 +144,7 @@ void OccupancyGrid::SeeFloor(double now_s, const geometry::RigidTransform& X_WR,
     if (evidence->picture == pictures_) continue;
     evidence->picture = pictures_;
     Meet(p_W_m, evidence);
+    evidence->bright = column.bright;
     evidence->seen_1 =
         Added(evidence->seen_1, options_.seen_obstacle_1 * weight(column.end_R_m.norm()),
               options_.most_seen_1);
@@ -270,6 +272,22 @@ void OccupancyGrid::ForgetDoubtful() {
       if (Occupied(evidence) != 0) Judge(evidence);
     }
   }
+}
+
+bool OccupancyGrid::DoubtBright(double now_s) {
+  if (!any_known_) return false;
+  bool any = false;
+  for (int y = known_.first.y; y <= known_.last.y; ++y) {
+    for (int x = known_.first.x; x <= known_.last.x; ++x) {
+      Evidence* evidence = At(GridCell{x, y});
+      if (!evidence->bright || evidence->seen_1 <= 0.0F) continue;
+      any = any || Occupied(evidence) != 0;
+      evidence->seen_1 = 0.0F;
+      Judge(evidence);
+    }
+  }
+  if (any) doubting_until_s_ = now_s + options_.doubt_s;
+  return any;
 }
 
 OccupancyGrid::Evidence* OccupancyGrid::Touch(GridCell cell) {

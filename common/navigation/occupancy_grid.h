@@ -49,6 +49,7 @@ struct OccupancyGridOptions {
   double seen_memory_s = 90.0;   // evidence falls to 1/e in this time: odometry drifts
   double heard_memory_s = 8.0;
   double felt_memory_s = 6.0;
+  double doubt_s = 20.0;  // of what is bright
 
   std::optional<std::string> Validate() const;
 };
@@ -105,6 +106,10 @@ class OccupancyGrid {
   // Forgets what may be a mistake: all obstacles but those that the camera saw twice near by, and
   // those that were felt.
   void ForgetDoubtful();
+  // What only the camera tells of and is brighter than the floor may be a lamp's image in it: takes
+  // such obstacles off the map, and no new ones in, for `doubt_s` from `now_s` on. What is heard or
+  // felt there stays. False, and nothing done, where there are none.
+  bool DoubtBright(double now_s);
   void Clear();
 
   double cell_m() const { return options_.cell_m; }
@@ -149,6 +154,7 @@ class OccupancyGrid {
     float felt_1 = 0.0F;
     Eigen::Vector2f at_W_m = Eigen::Vector2f::Zero();  // where it was met
     int64_t picture = 0;                               // the last, or firing, that told of it
+    bool bright = false;                               // what was seen there
   };
   Evidence* Touch(GridCell cell);  // is known of from now on
   Evidence* At(GridCell cell) { return &cells_[Index(cell)]; }
@@ -173,6 +179,7 @@ class OccupancyGrid {
   GridWindow known_;
   bool any_known_ = false;
   double faded_s_ = 0.0;
+  double doubting_until_s_ = -1.0;
   bool fading_ = false;
   int64_t pictures_ = 0;
   int64_t revision_ = 0;

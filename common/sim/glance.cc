@@ -60,6 +60,15 @@ Glancer::Glancer(std::shared_ptr<const Scene> scene, const BuiltRig& rig,
   }
 }
 
+bool Glancer::IsBright(int body) const {
+  if (body < 0 || floor_body_ < 0) return false;
+  constexpr float kWhite_1 = 0.2F;  // the least share that any channel falls behind the largest
+  const Eigen::Vector3f& color_1 = scene_->bodies()[static_cast<size_t>(body)].material.color_1;
+  const float floor_1 = scene_->bodies()[static_cast<size_t>(floor_body_)].material.color_1.mean();
+  return color_1.mean() > 2.0F * floor_1 &&
+         color_1.minCoeff() > (1.0F - kWhite_1) * color_1.maxCoeff();
+}
+
 bool Glancer::InGlare(const Eigen::Vector2d& p_W_m, const Eigen::Vector3d& p_WC_m) const {
   if (floor_body_ < 0) return false;
   const Material& floor = scene_->bodies()[static_cast<size_t>(floor_body_)].material;
@@ -129,10 +138,14 @@ void Glancer::LookForFloor(const geometry::RigidTransform& X_WR, std::span<const
     question.floor = true;
     if (!is_open(question)) {
       question.floor = sighting->body == floor_body_;
+      question.bright = !question.floor && IsBright(sighting->body);
       p_W_m = sighting->p_W_m.head<2>().cast<double>();
       ++sighting;
     }
-    question.floor = question.floor && !InGlare(p_W_m, X_WC.translation());
+    if (question.floor && InGlare(p_W_m, X_WC.translation())) {
+      question.floor = false;
+      question.bright = true;
+    }
   }
 }
 
@@ -141,7 +154,7 @@ std::vector<GroundGlance> Glancer::Floor(const RigPose& pose, int64_t seq) {
   // Floor as far as one share of the way, something else from the other on ...
   struct Edge {
     size_t floor_places = 0;
-    bool obstacle = false;
+    bool obstacle = false, bright = false;
     double floor_1 = 0.0, other_1 = 0.0;
   };
   std::vector<Edge> edges(ground_.size());
@@ -156,6 +169,7 @@ std::vector<GroundGlance> Glancer::Floor(const RigPose& pose, int64_t seq) {
     for (const GroundQuestion& question : questions) {
       Edge& edge = edges[question.direction];
       edge.obstacle = !question.floor;
+      edge.bright = question.bright;
       if (question.floor) ++edge.floor_places;
     }
   }
@@ -175,6 +189,7 @@ std::vector<GroundGlance> Glancer::Floor(const RigPose& pose, int64_t seq) {
     LookForFloor(pose.X_WR, ways, questions);
     for (const GroundQuestion& question : questions) {
       Edge& edge = edges[question.direction];
+      if (!question.floor) edge.bright = question.bright;
       (question.floor ? edge.floor_1 : edge.other_1) = 0.5 * (edge.floor_1 + edge.other_1);
     }
   }
@@ -185,6 +200,7 @@ std::vector<GroundGlance> Glancer::Floor(const RigPose& pose, int64_t seq) {
     GroundGlance glance;
     glance.any_floor = edges[k].floor_places > 0;
     glance.obstacle = edges[k].obstacle;
+    glance.bright = edges[k].bright;
     glance.begin_px = direction.begin_px;
     glance.end_px = glance.any_floor ? direction.end_px : direction.begin_px;
     if (glance.any_floor && glance.obstacle) {

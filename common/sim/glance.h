@@ -27,6 +27,7 @@ struct GroundGlance {
   Eigen::Vector2d begin_px = Eigen::Vector2d::Zero();
   Eigen::Vector2d end_px = Eigen::Vector2d::Zero();
   bool obstacle = false;
+  bool bright = false;     // what begins there: much brighter than the floor, without a colour
   bool any_floor = false;  // else begin and end are the same
 };
 
@@ -79,7 +80,7 @@ class Glancer {
   struct GroundQuestion {
     size_t direction;
     GroundPlace place;
-    bool floor = false;  // the answer
+    bool floor = false, bright = false;  // the answer
   };
   // `share_1` of the way, by angle, from straight below the camera to the range's end.
   GroundPlace PlaceAt(const Eigen::Vector2d& azimuth_R, double share_1) const;
@@ -92,6 +93,8 @@ class Glancer {
                                  uint64_t noise_seed);
   std::optional<GeonGlance> OneGeon(int body, const BuiltCamera& camera,
                                     const geometry::RigidTransform& X_WC, NoiseSource* noise);
+  // Of a thing's paint: twice as bright as the floor's, and nearly white.
+  bool IsBright(int body) const;
   bool InGlare(const Eigen::Vector2d& p_W_m, const Eigen::Vector3d& p_WC_m) const;
 
   std::shared_ptr<const Scene> scene_;

@@ -18,7 +18,8 @@ struct ExposureControlOptions {
 };
 
 // Sets the exposure of a colour camera by the frames it delivers: for the target where one is in
-// view, else for the whole picture (attention/expose_for_target.h).
+// view, or where one would be if the frame had been exposed longer; else for the whole picture
+// (attention/expose_for_target.h).
 class ExposureControl {
  public:
   explicit ExposureControl(const ExposureControlOptions& options);
@@ -31,7 +32,8 @@ class ExposureControl {
  private:
   ExposureControlOptions options_;
   attention::TargetFinder finder_;
-  double exposure_s_;  // last asked for
+  attention::TargetFinder faint_finder_;  // of a target that a longer exposure would show
+  double exposure_s_;                     // last asked for
   std::optional<int64_t> asked_seq_;
 };
 

@@ -60,10 +60,11 @@ mission::FloorSighting GlancedEyes::Floor(const sim::Exposure& exposure) {
   sighting.seen = SightingOf(glancer_.GeonByFloorCamera(pose, exposure.seq), camera,
                              options_.floor.min_target_pixels);
   for (const sim::GroundGlance& glance : glancer_.Floor(pose, exposure.seq)) {
-    const auto column =
-        navigation::FloorBetween(glance.begin_px, glance.end_px, glance.obstacle, camera, rig_.X_RF,
-                                 options_.floor_obstacles.max_range_m);
-    if (column) sighting.columns.push_back(*column);
+    auto column = navigation::FloorBetween(glance.begin_px, glance.end_px, glance.obstacle, camera,
+                                           rig_.X_RF, options_.floor_obstacles.max_range_m);
+    if (!column) continue;
+    column->bright = glance.bright;
+    sighting.columns.push_back(*column);
   }
   return sighting;
 }

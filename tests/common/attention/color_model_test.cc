@@ -91,6 +91,27 @@ TEST(ColorModelTest, BadModelsAreNamed) {
               HasSubstr("clipped_level_1 is 0"));
 }
 
+TEST(ColorModelTest, AtALevelItHoldsTheSameColoursAsManyTimesFainter) {
+  ColorModel model = *NamedColorModel("thesis-lab");
+  model.rim = NamedColorModel("super-red")->target;
+  model.dark_level_1 = 40;
+  const ColorModel half = AtLevel(model, 0.5);
+  for (int red = 0; red < 256; red += 6) {
+    for (int green = 0; green < 256; green += 10) {
+      for (int blue = 0; blue < 256; blue += 10) {
+        const auto at_half = [](int level) { return static_cast<uint8_t>(level / 2); };
+        const Rgb bright{static_cast<uint8_t>(red), static_cast<uint8_t>(green),
+                         static_cast<uint8_t>(blue)};
+        ASSERT_EQ(half.Classify({at_half(red), at_half(green), at_half(blue)}),
+                  model.Classify(bright))
+            << red << ' ' << green << ' ' << blue;
+      }
+    }
+  }
+  EXPECT_EQ(AtLevel(model, 1.0), model);
+  EXPECT_THROW(AtLevel(model, 0.0), ContractViolation);
+}
+
 TEST(ColorModelTest, WholeNumberedPlaneIsNearAndSmall) {
   const ColorHalfSpace plane{0.31, -1.7, 0.9, 11.0};
   const ColorHalfSpace whole = WholeNumbered(plane);

@@ -42,6 +42,19 @@ TEST(CentrePhaseTest, ATargetThatVanishesIsSearchedForAround) {
   ASSERT_TRUE(world.RunUntil(Phase::kSearch, 30.0)) << world.Text();
 }
 
+TEST(CentrePhaseTest, ARobotThatTurnsOnKeepsItsGazeOnWhatItSaw) {
+  FakeWorld world(FastOptions());
+  ASSERT_TRUE(world.RunUntil(Phase::kCentre, 60.0));
+  const double before_s = world.now_s();
+  world.target_hidden = true;  // no picture of it corrects the gaze meanwhile
+  world.coast_rad_s = 0.8;
+  while (world.now_s() < before_s + 0.6) world.Step();
+  world.coast_rad_s = 0.0;
+  world.target_hidden = false;
+  ASSERT_TRUE(world.RunUntil([&] { return world.mission().phase() != Phase::kCentre; }, 30.0));
+  EXPECT_EQ(world.phases.back(), Phase::kApproach) << world.Text();
+}
+
 TEST(CentrePhaseTest, ATargetThatLeavesThePictureIsFollowed) {
   FakeWorld world(FastOptions());
   ASSERT_TRUE(world.RunUntil(Phase::kScan, 90.0));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "tests/common/mission/fake_world.h"
 
@@ -72,6 +73,31 @@ TEST(CoverageSearchTest, AGeonHiddenBehindABoxIsFound) {
   ASSERT_TRUE(world.RunToTheEnd());
   EXPECT_EQ(world.mission().outcome(), MissionOutcome::kNamed) << world.Text();
   EXPECT_FALSE(world.Touches());
+}
+
+TEST(CoverageSearchTest, TheStateShowsThePolygonWhileTheRobotDrives) {
+  FakeWorld world = PenWorld();
+  world.target_hidden = true;
+  world.blocks.push_back({{0.3, 0.1}, {0.15, 0.5}, 0.0, 1.0, kBoxColor});
+  int driving = 0, turning = 0;
+  world.RunUntil(
+      [&] {
+        const sensor::PlannerState state = world.mission().State();
+        const Vector2d to_waypoint_m = state.p_WWaypoint_m - Vector2d(state.x_m, state.y_m);
+        if (world.wishes().velocity.speed_m_s > 0.0) {
+          ++driving;
+          EXPECT_GE(state.safe_polygon_W_m.size(), 3U) << state.text;
+          EXPECT_GT(to_waypoint_m.norm(), 0.0) << state.text;
+        } else if (state.text.find("turning round") != std::string::npos) {
+          ++turning;
+          EXPECT_TRUE(state.safe_polygon_W_m.empty()) << state.text;
+          EXPECT_NEAR(to_waypoint_m.norm(), 0.0, 1e-9) << state.text;
+        }
+        return testing::Test::HasFailure();
+      },
+      60.0);
+  EXPECT_GT(driving, 50);
+  EXPECT_GT(turning, 50);
 }
 
 TEST(CoverageSearchTest, AGeonBehindTheRobotIsFoundByTurningNotByDriving) {

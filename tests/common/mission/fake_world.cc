@@ -182,7 +182,7 @@ bool FakeWorld::Touches() const {
 void FakeWorld::Move() {
   if (base_up) {
     const auto& velocity = wishes_.velocity;
-    pose.z() = WrapAngle(pose.z() + velocity.turn_rate_rad_s * kStep_s);
+    pose.z() = WrapAngle(pose.z() + (velocity.turn_rate_rad_s + coast_rad_s) * kStep_s);
     pose.x() += velocity.speed_m_s * kStep_s * std::cos(pose.z());
     pose.y() += velocity.speed_m_s * kStep_s * std::sin(pose.z());
     const bool moves = velocity.speed_m_s != 0.0 || velocity.turn_rate_rad_s != 0.0;
@@ -223,7 +223,8 @@ void FakeWorld::TellStates() {
     base.x_m = pose.x();
     base.y_m = pose.y();
     base.heading_rad = pose.z();
-    base.moving = wishes_.velocity.speed_m_s != 0.0 || wishes_.velocity.turn_rate_rad_s != 0.0;
+    base.moving = wishes_.velocity.speed_m_s != 0.0 || wishes_.velocity.turn_rate_rad_s != 0.0 ||
+                  coast_rad_s != 0.0;
     senses->Take(now_s_, base);
     sensor::BumperState bumpers;
     bumpers.pressed[0] = bumper_pressed;

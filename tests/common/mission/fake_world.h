@@ -55,6 +55,7 @@ class FakeWorld {
   // Faults.
   bool ptu_up = true, base_up = true, stripe_camera_up = true, recognizer_up = true;
   bool head_camera_up = true, floor_camera_up = true;
+  double coast_rad_s = 0.0;  // it turns on so fast after it was told to stop
   bool bumper_pressed = false;
   double bumper_bearing_rad = 0.0;
   std::map<int, int> missing_attempts;  // stripe -> how often it is missing

@@ -22,6 +22,7 @@ constexpr double kTolerance_m = 0.04;  // with which a mission takes the place a
 
 struct Wall {
   Vector2d from_W_m, to_W_m;
+  bool lamp = false;  // its image in the floor: bright, and nothing to bump into
 };
 
 // How far along a ray a wall is; infinite when the ray passes by.
@@ -55,11 +56,11 @@ class Trip {
     return {target_W_m, Way::kRound, side_rad};
   }
 
-  void AddBlock(const Vector2d& middle_m, const Vector2d& half_m) {
+  void AddBlock(const Vector2d& middle_m, const Vector2d& half_m, bool lamp = false) {
     const Vector2d other_m(half_m.x(), -half_m.y());
     const Vector2d corners_m[] = {middle_m - half_m, middle_m + other_m, middle_m + half_m,
                                   middle_m - other_m};
-    for (int k = 0; k < 4; ++k) walls_.push_back({corners_m[k], corners_m[(k + 1) % 4]});
+    for (int k = 0; k < 4; ++k) walls_.push_back({corners_m[k], corners_m[(k + 1) % 4], lamp});
   }
 
   // Until `done`, it is said that it cannot be reached, or the time is over.
@@ -117,6 +118,7 @@ class Trip {
   MapDrive drive{FastOptions()};
   MapDrive::Answer answer;
   std::vector<std::string> texts;
+  double fastest_in_image_m_s = 0.0;  // onto a lamp's image
 
  private:
   enum class Way { kToward, kRound, kTo };
@@ -141,7 +143,12 @@ class Trip {
     pose.head<2>() +=
         answer.velocity.speed_m_s * step_s * Vector2d(std::cos(pose.z()), std::sin(pose.z()));
     for (const Wall& wall : walls_) {
-      nearest_m_ = std::min(nearest_m_, Distance(pose.head<2>(), wall));
+      const double away_m = Distance(pose.head<2>(), wall);
+      if (!wall.lamp) nearest_m_ = std::min(nearest_m_, away_m);
+      const Vector2d ahead(std::cos(pose.z()), std::sin(pose.z()));
+      if (wall.lamp && Along(pose.head<2>(), ahead, wall) < kBody_m) {
+        fastest_in_image_m_s = std::max(fastest_in_image_m_s, answer.velocity.speed_m_s);
+      }
     }
   }
   std::vector<navigation::FloorColumn> Columns() const {
@@ -152,12 +159,17 @@ class Trip {
       const double bearing_rad = kHalfFan_rad * (1.0 - 2.0 * k / (kColumns - 1));
       const double angle_rad = pose.z() + bearing_rad;
       double free_m = kRange_m;
+      bool bright = false;
       for (const Wall& wall : walls_) {
-        free_m = std::min(free_m,
-                          Along(pose.head<2>(), {std::cos(angle_rad), std::sin(angle_rad)}, wall));
+        const double wall_m =
+            Along(pose.head<2>(), {std::cos(angle_rad), std::sin(angle_rad)}, wall);
+        if (wall_m >= free_m) continue;
+        free_m = wall_m;
+        bright = wall.lamp;
       }
       const Vector2d along(std::cos(bearing_rad), std::sin(bearing_rad));
-      columns.push_back({kBegin_m * along, std::max(kBegin_m, free_m) * along, free_m < kRange_m});
+      columns.push_back(
+          {kBegin_m * along, std::max(kBegin_m, free_m) * along, free_m < kRange_m, bright});
     }
     return columns;
   }
@@ -257,6 +269,20 @@ TEST_F(ClosedInTest, BeforeThatItListensLooksAllRoundAndStepsBack) {
   EXPECT_NE(last[2].find("stepping back"), std::string::npos) << last[2];
 }
 
+TEST(MapDriveTest, ImagesOfALampInTheFloorDoNotCloseTheWay) {
+  Trip trip({3.0, 0.0});
+  for (const double side : {-1.0, 1.0}) {
+    trip.AddBlock({3.0, side * 1.3}, {1.34, 0.04});
+    trip.AddBlock({3.0 + side * 1.3, 0.0}, {0.04, 1.34}, true);
+  }
+  trip.Run(200.0);
+  EXPECT_FALSE(trip.answer.unreachable.has_value()) << *trip.answer.unreachable;
+  EXPECT_LE(trip.Distance_m(), kStop_m + kTolerance_m);
+  ASSERT_GE(trip.Tried().size(), 1U);
+  EXPECT_NE(trip.Tried()[0].find("listening"), std::string::npos) << "not at the first sight";
+  EXPECT_LE(trip.fastest_in_image_m_s, 0.11);
+}
+
 TEST_F(ClosedInTest, ItStaysUnreachableUntilRestStartsAnew) {
   trip_.Run(200.0);
   ASSERT_TRUE(trip_.answer.unreachable.has_value()) << trip_.answer.text;
@@ -301,6 +327,25 @@ TEST(MapDriveTest, WhatMayBeAMistakeIsForgottenAfterListeningAndBeforeLookingRou
   EXPECT_TRUE(known_listening);
   EXPECT_FALSE(known_looking);
   EXPECT_GE(trip.nearest_m(), kBody_m);
+}
+
+TEST(MapDriveTest, WhereItForgotItCreepsAtFirst) {
+  Trip trip({4.0, 0.0});
+  trip.stuck = true;
+  trip.RunUntil([&] { return trip.answer.text.find("looking") != std::string::npos; }, 30.0);
+  trip.stuck = false;
+  const Vector2d here_W_m = trip.pose.head<2>();
+  double fastest_here_m_s = 0.0, fastest_m_s = 0.0;
+  trip.RunUntil(
+      [&] {
+        const double away_m = (trip.pose.head<2>() - here_W_m).norm();
+        double& fastest = away_m < 0.4 ? fastest_here_m_s : fastest_m_s;
+        fastest = std::max(fastest, trip.answer.velocity.speed_m_s);
+        return trip.Distance_m() <= kStop_m + kTolerance_m;
+      },
+      60.0);
+  EXPECT_LE(fastest_here_m_s, 0.1 + 1e-9);
+  EXPECT_GT(fastest_m_s, 0.3);
 }
 
 TEST(MapDriveTest, ARobotThatDoesNotMoveTriesEverythingAndThenSaysSo) {

@@ -67,10 +67,11 @@ TEST(MissionViewsTest, TheMissionsVerdictIsThatOfAllViewsTogether) {
   const sensor::GeonVerdict& verdict = *world.mission().verdict();
   EXPECT_TRUE(verdict.decided);
   EXPECT_EQ(verdict.label, GeonLabel::kTaperedCuboid);
-  // 0.7^3 against the others': 0.18^3 and five times 0.024^3.
-  const double right = std::pow(0.7, 3);
-  EXPECT_NEAR(verdict.confidence, right / (right + std::pow(0.18, 3) + 5.0 * std::pow(0.024, 3)),
-              1e-9);
+  // 0.7^3 against the others', 0.18^3 and five times 0.024^3, each to the power of a view's weight.
+  const double weight_1 = 3.0 * active_vision::TrainedFusion().weight_1;
+  const double right = std::pow(0.7, weight_1);
+  EXPECT_NEAR(verdict.confidence,
+              right / (right + std::pow(0.18, weight_1) + 5.0 * std::pow(0.024, weight_1)), 1e-9);
   EXPECT_EQ(world.mission().outcome(), MissionOutcome::kNamed);
   ExpectTwentyDegreesApart(Sides(world));
 }

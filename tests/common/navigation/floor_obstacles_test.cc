@@ -52,6 +52,32 @@ TEST(FloorObstaclesTest, BareFloorHasNone) {
   }
 }
 
+TEST(FloorObstaclesTest, OnlyWhatIsBrighterThanTheFloorAndHasNoColourIsBright) {
+  // An image of a lamp that fades to its rim, warmer than the floor; a red box; a dark one.
+  const auto columns = Look(Picture([](double x_m, double y_m) {
+    const double away_m = std::hypot(x_m - 1.2, y_m);
+    const auto lit = [&](double level, double lamp) {
+      return cv::saturate_cast<uint8_t>(level + lamp * std::max(0.0, 1.0 - away_m / 0.25));
+    };
+    if (away_m < 0.25) return cv::Vec3b(lit(140, 150), lit(150, 170), lit(150, 180));
+    if (x_m > 1.0 && y_m > 0.4) return cv::Vec3b(60, 60, 200);
+    if (x_m > 1.0 && y_m < -0.4) return cv::Vec3b(70, 75, 75);
+    return kFloor;
+  }));
+  int lamps = 0, boxes = 0;
+  for (const FloorColumn& column : columns) {
+    if (!column.obstacle) {
+      EXPECT_FALSE(column.bright);
+      continue;
+    }
+    const bool ahead = std::abs(column.end_R_m.y()) < 0.25 && column.end_R_m.x() > 0.9;
+    EXPECT_EQ(column.bright, ahead) << column.end_R_m.transpose();
+    ++(ahead ? lamps : boxes);
+  }
+  EXPECT_GE(lamps, 3);
+  EXPECT_GE(boxes, 6);
+}
+
 TEST(FloorObstaclesTest, ABoxIsFoundWhereItStands) {
   const auto columns = Look(Picture([](double x_m, double y_m) {
     return x_m > 1.2 && std::abs(y_m) < 0.2 ? cv::Vec3b(120, 90, 90) : kFloor;

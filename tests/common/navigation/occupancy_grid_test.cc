@@ -249,6 +249,32 @@ TEST(OccupancyGridTest, ForgetDoubtfulKeepsFirmThingsAndDropsWeakOnes) {
   EXPECT_TRUE(grid.IsSeen(grid.CellAt({0.8, 0.0}))) << "floor is not forgotten";
 }
 
+TEST(OccupancyGridTest, WhatIsBrightIsDoubtedForSomeTimeButNotWhatIsHeardThere) {
+  OccupancyGridOptions options;
+  options.doubt_s = 2.0;
+  OccupancyGrid grid(options);
+  const std::vector<FloorColumn> columns = {{{0.35, 0.0}, {1.01, 0.0}, true, true},
+                                            {{0.2, 0.3}, {0.61, 0.91}, true, false}};
+  EXPECT_FALSE(grid.DoubtBright(0.0)) << "nothing to doubt";
+  grid.SeeFloor(0.0, kStart, columns);
+  ASSERT_TRUE(IsObstacle(grid, {1.01, 0.0}));
+  ASSERT_TRUE(grid.DoubtBright(0.0));
+  EXPECT_FALSE(IsObstacle(grid, {1.01, 0.0}));
+  EXPECT_TRUE(IsObstacle(grid, {0.61, 0.91})) << "it is not bright";
+  EXPECT_FALSE(grid.IsSeen(grid.CellAt({1.01, 0.0}))) << "nor is it known to be floor";
+  for (int i = 0; i < 5; ++i) grid.SeeFloor(1.9, kStart, columns);
+  EXPECT_FALSE(IsObstacle(grid, {1.01, 0.0}));
+  EXPECT_FALSE(grid.DoubtBright(1.9)) << "there is none left";
+  grid.Hear(1.9, Heard(ReadingFor(1.01)), {});
+  EXPECT_TRUE(IsObstacle(grid, {1.01, 0.0}));
+
+  OccupancyGrid later(options);
+  later.SeeFloor(0.0, kStart, columns);
+  ASSERT_TRUE(later.DoubtBright(0.0));
+  later.SeeFloor(2.1, kStart, columns);
+  EXPECT_TRUE(IsObstacle(later, {1.01, 0.0})) << "the doubt is over";
+}
+
 TEST(OccupancyGridTest, ThingsBeyondTheReachAreIgnoredWithoutHarm) {
   OccupancyGridOptions options;
   options.reach_m = 2.0;

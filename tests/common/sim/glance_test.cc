@@ -268,10 +268,26 @@ TEST_F(GlancerTest, APolishedFloorGlaresWhereThePictureShowsTheLamp) {
   for (const GroundGlance& glance : Made(exact_).Floor(pose_, 1)) {
     if (!glance.obstacle) continue;
     ++glares;
+    EXPECT_TRUE(glance.bright);
     const Vector2d onward_px = (glance.end_px - glance.begin_px).normalized();
     EXPECT_GT(green(glance.end_px + 4.0 * onward_px), green(glance.end_px - 4.0 * onward_px) + 30);
   }
   EXPECT_GE(glares, 3);
+}
+
+TEST_F(GlancerTest, WhitePaintIsAsBrightAsGlareIs) {
+  for (const bool white : {false, true}) {
+    WorldObject box = Box({5.0, 3.3}, {0.6, 0.2, 0.4});
+    if (white) box.color_rgb = {250.0, 250.0, 245.0};
+    world_.objects = {box};
+    int obstacles = 0;
+    for (const GroundGlance& glance : Made(exact_).Floor(pose_, 1)) {
+      if (!glance.obstacle) continue;
+      ++obstacles;
+      EXPECT_EQ(glance.bright, white);
+    }
+    EXPECT_GE(obstacles, 3);
+  }
 }
 
 TEST_F(GlancerTest, WhatStandsBelowTheLampHidesItFromTheFloor) {

@@ -43,9 +43,24 @@ TEST(ExposureControl, ExposesForTheTargetWhateverIsAround) {
   EXPECT_FALSE(ExposureControl(OptionsForRed()).Judge(LitFrame(1, 20, 215)).has_value());
 }
 
+TEST(ExposureControl, ExposesForATargetTooFaintToHaveItsColour) {
+  // Not red enough for "super-red", but it would be at 2.5 times the level.
+  ExposureControl control(OptionsForRed());
+  const sensor::Image frame = LitFrame(1, 130, 60, 0.010);
+  sensor::Image faint = frame;
+  for (size_t k = 0; k < faint.data.size(); k += 3) {
+    if (faint.data[k + 2] == 60) faint.data[k] = faint.data[k + 1] = 22;  // 60 < 22 + 22 + 20
+  }
+  EXPECT_NEAR(control.Judge(faint).value(), 0.010 * 4.0, 1e-9) << "the most of one step";
+  for (size_t k = 0; k < faint.data.size(); k += 3) {
+    if (faint.data[k + 2] == 60) faint.data[k] = faint.data[k + 1] = 29;  // brown, however bright
+  }
+  EXPECT_FALSE(ExposureControl(OptionsForRed()).Judge(faint).has_value());
+}
+
 TEST(ExposureControl, WithoutATargetThePictureCounts) {
   ExposureControl control(OptionsForRed());
-  EXPECT_NEAR(control.Judge(LitFrame(1, 70, 0)).value(), 0.010 * std::pow(110.0 / 70.0, 2.2), 1e-9);
+  EXPECT_NEAR(control.Judge(LitFrame(1, 70, 0)).value(), 0.010 * std::pow(130.0 / 70.0, 2.2), 1e-9);
 }
 
 TEST(ExposureControl, WaitsForFramesTakenAfterTheRequest) {
@@ -60,10 +75,10 @@ TEST(ExposureControl, WaitsForFramesTakenAfterTheRequest) {
 
 TEST(ExposureControl, StartsFromTheExposureTheFrameStates) {
   ExposureControl control(OptionsForRed());
-  EXPECT_NEAR(control.Judge(LitFrame(1, 70, 0, 0.004)).value(), 0.004 * std::pow(110.0 / 70.0, 2.2),
+  EXPECT_NEAR(control.Judge(LitFrame(1, 70, 0, 0.004)).value(), 0.004 * std::pow(130.0 / 70.0, 2.2),
               1e-9);
   // The request came to nothing: the frames still state the exposure before, and it is made again.
-  EXPECT_NEAR(control.Judge(LitFrame(5, 70, 0, 0.004)).value(), 0.004 * std::pow(110.0 / 70.0, 2.2),
+  EXPECT_NEAR(control.Judge(LitFrame(5, 70, 0, 0.004)).value(), 0.004 * std::pow(130.0 / 70.0, 2.2),
               1e-9);
 }
 
