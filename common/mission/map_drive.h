@@ -18,9 +18,9 @@ namespace geon::mission {
 // The planner `map`: drives to where a target can be looked at, by what the map of obstacles says
 // it costs from everywhere (cost_to_go.h), one straight move within the safe polygon after another
 // (thesis 4.3). It notices when it comes no nearer and then tries, in this order: hear the whole
-// sonar ring anew, forget what may have been a mistake, doubt what may be a lamp's image in the
-// floor (the speed on ground that no picture showed is low), look all round, step back. What none
-// of these opens is unreachable, and why is told.
+// sonar ring anew, forget what may have been a mistake (and prefer wider gaps from then on), doubt
+// what may be a lamp's image in the floor (the speed on ground that no picture showed is low), look
+// all round, step back. What none of these opens is unreachable, and why is told.
 class MapDrive {
  public:
   explicit MapDrive(const MissionOptions& options);
@@ -86,8 +86,9 @@ class MapDrive {
   double own_m_ = 0.0;
   std::vector<Eigen::Vector2d> bending_R_m_;
   navigation::ClearanceField clearance_;
-  // To the target: along ways of the clearance that is kept, and along tighter ones.
-  navigation::CostToGo easy_cost_, tight_cost_;
+  // To the target: along ways of the clearance that is kept, along wider ones, and along tighter.
+  navigation::CostToGo easy_cost_, wide_cost_, tight_cost_;
+  bool wide_ = false;  // wider ones are preferred: the robot did not get through a gap
   const navigation::CostToGo* cost_ = &easy_cost_;  // in use
   std::optional<Eigen::Vector2d> mapped_W_m_;       // the goal that cost_ leads to
   int64_t mapped_revision_ = -1;

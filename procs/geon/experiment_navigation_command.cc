@@ -29,10 +29,15 @@ struct NavigationArguments {
   std::string sensors = "real";
   std::string shard = "1/1";
   uint64_t seed = 1;
-  double longest_s = 120.0;
+  std::optional<double> longest_s;
   bool json = false;
   int jobs = 1;
 };
+
+double Longest_s(const NavigationArguments& arguments) {
+  constexpr double kPen_s = 120.0, kCourse_s = 240.0;
+  return arguments.longest_s.value_or(arguments.barn.empty() ? kPen_s : kCourse_s);
+}
 
 int FailNavigation(const Status& status) {
   std::cerr << "geon experiment navigation: " << status.message() << '\n';
@@ -115,7 +120,7 @@ Status RunCases(const lockstep::LockstepSettings& settings, const NavigationArgu
     const sim::World world = each.world ? *each.world : sim::RandomPen(trial.seed, each.pen);
     lockstep::LockstepSettings own = settings;
     own.mission.destination_W_m = each.destination_W_m;
-    const auto outcome = lockstep::RunNavigationTrial(own, world, trial.seed, arguments.longest_s);
+    const auto outcome = lockstep::RunNavigationTrial(own, world, trial.seed, Longest_s(arguments));
     const std::lock_guard lock(mutex);
     progress.Say(static_cast<double>(++done) / static_cast<double>(cases->size()));
     if (!outcome.ok()) {
@@ -162,7 +167,7 @@ int RunNavigation(const NavigationArguments& arguments) {
   record.conditions = {{"sensors", arguments.sensors},
                        {"pens", pens ? arguments.pens : 0},
                        {"pen", pens ? arguments.pen : ""},
-                       {"longest_s", arguments.longest_s}};
+                       {"longest_s", Longest_s(arguments)}};
   const auto begin = std::chrono::steady_clock::now();
   if (Status status = RunCases(settings, arguments, &*cases, &record); !status.ok()) {
     return FailNavigation(status);
@@ -226,9 +231,10 @@ void AddExperimentNavigationCommand(CLI::App& experiment, int* exit_code) {
                    "has them; degraded: sonars often deaf or fooled, crosstalk, 2 % drift, glare")
       ->check(CLI::IsMember({"perfect", "real", "degraded"}))
       ->capture_default_str();
-  command->add_option("--longest-s", arguments->longest_s, "a run that takes longer is trapped")
-      ->check(CLI::Range(1.0, 3600.0))
-      ->capture_default_str();
+  command
+      ->add_option("--longest-s", arguments->longest_s,
+                   "a run that takes longer is trapped; 120, with --barn 240")
+      ->check(CLI::Range(1.0, 3600.0));
   command->add_option("--config", arguments->robot_file, "robot file")->capture_default_str();
   command->add_option("--sim-config", arguments->sim_file, "what the simulated robot is like")
       ->capture_default_str();
