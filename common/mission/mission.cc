@@ -20,6 +20,10 @@ MissionOptions Checked(const MissionOptions& options) {
 constexpr double kFresh_s = 0.5;
 constexpr double kBlind_s = 1.2;
 
+// After all devices answer: the sonar ring once round, and a picture. The light of a room is not
+// known before; by a floor's colour in other light the robot would see floor nowhere.
+constexpr double kLearnFloor_s = 1.8;
+
 constexpr double kOneTarget_m = 0.35;  // scans so near to each other are of one target
 
 bool Drives(Phase phase) {
@@ -144,9 +148,18 @@ Transition Mission::CheckContact() {
   return away;
 }
 
+bool Mission::StandsToLearnFloor() const {
+  return options_.seeing.learn_floor && !context_.senses.floor_learned() &&
+         context_.time_s < kLearnFloor_s;
+}
+
 Transition Mission::StepPhase() {
   switch (phase_) {
     case Phase::kWait:
+      if (StandsToLearnFloor()) {
+        context_.text = "standing still to hear all sonars and to learn the floor's colour";
+        return std::nullopt;
+      }
       return Next{options_.destination_W_m ? Phase::kTravel : Phase::kSearch, "all devices answer"};
     case Phase::kTravel:
       return travel_.Step(&context_);

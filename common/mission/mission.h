@@ -61,6 +61,7 @@ class Mission {
   // The device that the present phase cannot do without and that does not answer; nullptr: none.
   const char* MissingDevice(double now_s) const;
   void Enter(const Next& next);
+  bool StandsToLearnFloor() const;
   Transition StepPhase();
   // What it means for the mission that a phase ended with a verdict, or with a reason why there is
   // none: look again, go on to the next geon, or end.

@@ -76,6 +76,7 @@ class Senses {
   // The whole sonar ring was heard since the robot stands, and nothing of it before the robot: the
   // floor camera may learn the floor's colour there.
   bool FloorPatchIsFree(double now_s) const;
+  bool floor_learned() const { return eyes_.floor_learned(); }
   // Grows when odometry started anew: places in W that were remembered before mean nothing.
   int odometry_epoch() const { return odometry_epoch_; }
 

@@ -24,7 +24,7 @@ Colour ColourOf(const cv::Vec3b& bgr) {
 }
 
 constexpr double kNoiseMargin_1 = 4.5;     // standard deviations of floor that are still floor
-constexpr double kLampTolerance_1 = 0.05;  // in each share, from one room's lamp to another's
+constexpr double kLampTolerance_1 = 0.07;  // in each share, between lamps of 3000 and 6500 kelvin
 
 // The largest difference in a share.
 double OffColour(const Colour& colour, const FloorModel& model) {

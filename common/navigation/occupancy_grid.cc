@@ -36,6 +36,7 @@ std::optional<std::string> OccupancyGridOptions::Validate() const {
   if (!(seen_memory_s > 0.0 && heard_memory_s > 0.0 && felt_memory_s > 0.0)) {
     return "memory times must be positive";
   }
+  if (!(doubt_s >= 0.0)) return "doubt_s must not be negative";
   return std::nullopt;
 }
 

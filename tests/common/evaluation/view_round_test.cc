@@ -17,11 +17,11 @@ TEST(ScanRound, IsTheSameWhenMadeAgainAndNoOther) {
     EXPECT_EQ(a[k].profiles[1].p_L_m, b[k].profiles[1].p_L_m);
     EXPECT_EQ(a[k].truth, a[0].truth);
   }
-  const Eigen::Vector3d camera_m = a[0].camera_position_L_m;
-  EXPECT_NE(camera_m, ScanRound(4, 5, ShapeKind::kTraining)[0].camera_position_L_m);
-  EXPECT_NE(camera_m, ScanRound(3, 6, ShapeKind::kTraining)[0].camera_position_L_m);
-  EXPECT_NE(camera_m, ScanRound(3, 5, ShapeKind::kOrdinary)[0].camera_position_L_m);
-  EXPECT_NE(camera_m, MakeTrainingScans(3, 5, 1)[0].camera_position_L_m);
+  const auto& points_m = a[0].profiles[1].p_L_m;
+  EXPECT_NE(points_m, ScanRound(4, 5, ShapeKind::kTraining)[0].profiles[1].p_L_m);
+  EXPECT_NE(points_m, ScanRound(3, 6, ShapeKind::kTraining)[0].profiles[1].p_L_m);
+  EXPECT_NE(points_m, ScanRound(3, 5, ShapeKind::kOrdinary)[0].profiles[1].p_L_m);
+  EXPECT_NE(points_m, MakeTrainingScans(3, 5, 1)[0].profiles[1].p_L_m);
 }
 
 // All views from the head's height above floor or desk, from one distance; each has noise of its

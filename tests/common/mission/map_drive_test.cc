@@ -2,14 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/angles.h"
 #include "base/time.h"
-#include "tests/common/mission/map_trip.h"
+#include "tests/common/mission/trip.h"
 
 namespace geon::mission {
 namespace {
+
+using Eigen::Vector2d;
 
 TEST(MapDriveTest, OnFreeFloorItDrivesToTheViewingRing) {
   for (const double bearing_rad : {0.0, 0.8, -2.0, 3.1}) {

@@ -19,6 +19,25 @@ Block Desk(const Eigen::Vector2d& center_W_m) {
   return {center_W_m, {0.25, 0.25}, 0.0, 0.7, cv::Scalar(120, 90, 90)};
 }
 
+TEST(MissionTest, BeforeItMovesItLearnsTheFloorsColourInTheLightOfTheRoom) {
+  FakeWorld world(FastOptions());
+  ASSERT_TRUE(world.RunUntil(Phase::kSearch, 10.0)) << world.Text();
+  EXPECT_TRUE(world.mission().senses()->floor_learned());
+  EXPECT_EQ(world.pose, Eigen::Vector3d::Zero());
+}
+
+TEST(MissionTest, WhereSomethingStandsBeforeItItDoesNotWaitForTheFloor) {
+  FakeWorld world(FastOptions());
+  world.floor_camera_up = false;
+  ASSERT_FALSE(world.RunUntil(Phase::kSearch, 2.0));
+  world.floor_camera_up = true;
+  world.blocks.push_back({{0.6, 0.0}, {0.1, 0.5}, 0.0, 1.0, cv::Scalar(120, 90, 90)});
+  const double since_s = world.now_s();
+  ASSERT_TRUE(world.RunUntil(Phase::kSearch, 10.0)) << world.Text();
+  EXPECT_FALSE(world.mission().senses()->floor_learned());
+  EXPECT_LT(world.now_s() - since_s, 2.5);
+}
+
 TEST(MissionTest, FindsApproachesScansAndNamesAGeonOnTheFloor) {
   FakeWorld world(FastOptions());
   world.pose.z() = 2.5;  // looks away from it

@@ -366,6 +366,7 @@ TEST(OccupancyGridTest, RefusesOptionsThatCannotWork) {
       [](OccupancyGridOptions* o) { o->near_m = 0.0; },
       [](OccupancyGridOptions* o) { o->floor_margin_m = -0.1; },
       [](OccupancyGridOptions* o) { o->heard_memory_s = 0.0; },
+      [](OccupancyGridOptions* o) { o->doubt_s = -1.0; },
   };
   EXPECT_FALSE(OccupancyGridOptions().Validate().has_value());
   for (size_t i = 0; i < mistakes.size(); ++i) {

@@ -81,7 +81,7 @@ TEST_F(ExperimentRobotTest, ARunComesAgainFromTheFileOfItsWorld) {
 TEST_F(ExperimentRobotTest, JobsAndShardsGiveTheBytesOfOneRun) {
   RobotPlan plan;
   plan.runs = 3;
-  plan.longest_s = 1.5;  // until the search has begun
+  plan.longest_s = 3.0;  // until the search has begun
   const RobotRecord whole = Run(plan, {}, 1);
   ASSERT_EQ(whole.trials.size(), 3U);
   EXPECT_EQ(whole.trials[2].end, sensor::MissionOutcome::kRunning);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,21 +16,20 @@
 
 namespace geon::mission {
 
-using Eigen::Vector2d;
-
 inline constexpr double kBody_m = 0.267;
 inline constexpr double kStop_m = 0.93;
 inline constexpr double kTolerance_m = 0.04;  // with which a mission takes the place as reached
 
 struct Wall {
-  Vector2d from_W_m, to_W_m;
+  Eigen::Vector2d from_W_m, to_W_m;
   bool lamp = false;  // its image in the floor: bright, and nothing to bump into
 };
 
 // How far along a ray a wall is; infinite when the ray passes by.
-inline double Along(const Vector2d& from_m, const Vector2d& direction, const Wall& wall) {
-  const Vector2d edge_m = wall.to_W_m - wall.from_W_m, to_wall_m = wall.from_W_m - from_m;
-  const auto cross = [](const Vector2d& a, const Vector2d& b) {
+inline double Along(const Eigen::Vector2d& from_m, const Eigen::Vector2d& direction,
+                    const Wall& wall) {
+  const Eigen::Vector2d edge_m = wall.to_W_m - wall.from_W_m, to_wall_m = wall.from_W_m - from_m;
+  const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
   };
   const double slant = cross(direction, edge_m);
@@ -40,8 +40,8 @@ inline double Along(const Vector2d& from_m, const Vector2d& direction, const Wal
                                                          : along_m;
 }
 
-inline double Distance(const Vector2d& p_m, const Wall& wall) {
-  const Vector2d edge_m = wall.to_W_m - wall.from_W_m;
+inline double Distance(const Eigen::Vector2d& p_m, const Wall& wall) {
+  const Eigen::Vector2d edge_m = wall.to_W_m - wall.from_W_m;
   const double share_1 = (p_m - wall.from_W_m).dot(edge_m) / edge_m.squaredNorm();
   return (wall.from_W_m + std::clamp(share_1, 0.0, 1.0) * edge_m - p_m).norm();
 }
@@ -49,19 +49,22 @@ inline double Distance(const Vector2d& p_m, const Wall& wall) {
 // A robot that drives as it is told and sees the floor before it up to the walls; nothing else.
 class Trip {
  public:
-  explicit Trip(const Vector2d& target_W_m) : Trip(target_W_m, Way::kToward, 0.0) {}
+  explicit Trip(const Eigen::Vector2d& target_W_m) : Trip(target_W_m, Way::kToward, 0.0) {}
   // To a place on the floor, where nothing stands.
-  static Trip ToPlace(const Vector2d& place_W_m) { return {place_W_m, Way::kTo, 0.0}; }
-  static Trip ToDestination(const Vector2d& place_W_m) { return {place_W_m, Way::kSent, 0.0}; }
+  static Trip ToPlace(const Eigen::Vector2d& place_W_m) { return {place_W_m, Way::kTo, 0.0}; }
+  // The same, sent there.
+  static Trip ToDestination(const Eigen::Vector2d& place_W_m) {
+    return {place_W_m, Way::kSent, 0.0};
+  }
   // Round a target to this side of it.
-  static Trip RoundTarget(const Vector2d& target_W_m, double side_rad) {
+  static Trip RoundTarget(const Eigen::Vector2d& target_W_m, double side_rad) {
     return {target_W_m, Way::kRound, side_rad};
   }
 
-  void AddBlock(const Vector2d& middle_m, const Vector2d& half_m, bool lamp = false) {
-    const Vector2d other_m(half_m.x(), -half_m.y());
-    const Vector2d corners_m[] = {middle_m - half_m, middle_m + other_m, middle_m + half_m,
-                                  middle_m - other_m};
+  void AddBlock(const Eigen::Vector2d& middle_m, const Eigen::Vector2d& half_m, bool lamp = false) {
+    const Eigen::Vector2d other_m(half_m.x(), -half_m.y());
+    const Eigen::Vector2d corners_m[] = {middle_m - half_m, middle_m + other_m, middle_m + half_m,
+                                         middle_m - other_m};
     for (int k = 0; k < 4; ++k) walls_.push_back({corners_m[k], corners_m[(k + 1) % 4], lamp});
   }
 
@@ -100,7 +103,7 @@ class Trip {
   double now_s() const { return now_s_; }
   // In W, from the target to the robot.
   double Bearing_rad() const {
-    const Vector2d out_m = pose.head<2>() - target_W_m_;
+    const Eigen::Vector2d out_m = pose.head<2>() - target_W_m_;
     return std::atan2(out_m.y(), out_m.x());
   }
   double Distance_m() const { return (pose.head<2>() - target_W_m_).norm(); }
@@ -124,9 +127,9 @@ class Trip {
 
  private:
   enum class Way { kToward, kRound, kTo, kSent };
-  Trip(const Vector2d& goal_W_m, Way way, double side_rad)
+  Trip(const Eigen::Vector2d& goal_W_m, Way way, double side_rad)
       : target_W_m_(goal_W_m), way_(way), side_rad_(side_rad) {
-    if (way != Way::kTo && way != Way::kSent) AddBlock(goal_W_m, {0.1, 0.1});
+    if (way == Way::kToward || way == Way::kRound) AddBlock(goal_W_m, {0.1, 0.1});
   }
   MapDrive::Answer Drive() {
     switch (way_) {
@@ -144,12 +147,12 @@ class Trip {
   void Move(double step_s) {
     if (stuck) return;
     pose.z() = WrapAngle(pose.z() + answer.velocity.turn_rate_rad_s * step_s);
-    pose.head<2>() +=
-        answer.velocity.speed_m_s * step_s * Vector2d(std::cos(pose.z()), std::sin(pose.z()));
+    pose.head<2>() += answer.velocity.speed_m_s * step_s *
+                      Eigen::Vector2d(std::cos(pose.z()), std::sin(pose.z()));
     for (const Wall& wall : walls_) {
       const double away_m = Distance(pose.head<2>(), wall);
       if (!wall.lamp) nearest_m_ = std::min(nearest_m_, away_m);
-      const Vector2d ahead(std::cos(pose.z()), std::sin(pose.z()));
+      const Eigen::Vector2d ahead(std::cos(pose.z()), std::sin(pose.z()));
       if (wall.lamp && Along(pose.head<2>(), ahead, wall) < kBody_m) {
         fastest_in_image_m_s = std::max(fastest_in_image_m_s, answer.velocity.speed_m_s);
       }
@@ -171,14 +174,14 @@ class Trip {
         free_m = wall_m;
         bright = wall.lamp;
       }
-      const Vector2d along(std::cos(bearing_rad), std::sin(bearing_rad));
+      const Eigen::Vector2d along(std::cos(bearing_rad), std::sin(bearing_rad));
       columns.push_back(
           {kBegin_m * along, std::max(kBegin_m, free_m) * along, free_m < kRange_m, bright});
     }
     return columns;
   }
 
-  Vector2d target_W_m_;
+  Eigen::Vector2d target_W_m_;
   Way way_;
   double side_rad_;
   std::vector<Wall> walls_;
