@@ -5,8 +5,8 @@
 namespace geon::mission {
 namespace {
 
-constexpr double kThere_m = 0.1;  // arrived
-const active_vision::HeadAngles kAhead{0.0, -0.1};
+constexpr double kArrived_m = 0.1;
+const active_vision::HeadAngles kHeadAhead{0.0, -0.1};
 
 }  // namespace
 
@@ -22,11 +22,11 @@ Transition TravelPhase::Step(Context* context) {
   }
   const Eigen::Vector2d& destination_W_m = *context->options.destination_W_m;
   const double distance_m = InRobot(*context, destination_W_m).norm();
-  if (distance_m < kThere_m) {
+  if (distance_m < kArrived_m) {
     context->arrived = true;
     return Next{Phase::kSearch, "arrived at the destination"};
   }
-  context->head.Point(kAhead);
+  context->head.Point(kHeadAhead);
   context->text =
       "driving to the destination, " + std::to_string(distance_m).substr(0, 4) + " m away";
   if (context->options.driving.planner == PlannerKind::kThesis) {

@@ -128,6 +128,7 @@ Result<NavigationOutcome> RunNavigationTrial(const LockstepSettings& settings,
   outcome.why = robot.mission().State().text;
   outcome.end_s = robot.time_s();
   if (destination_W_m) outcome.left_m = left_m();
+  if (is_elsewhere() && !in_position()) outcome.why = "at the destination, as it believes";
   return outcome;
 }
 
