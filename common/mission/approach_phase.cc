@@ -43,13 +43,11 @@ std::string ApproachText(double distance_m) {
 }  // namespace
 
 void ApproachPhase::Enter(Context* context) {
-  context->drive.Rest();
   context->map_drive.Rest();
   context->view.reset();
   odometry_epoch_ = context->senses.odometry_epoch();
-  seen_s_ = nearer_s_ = context->time_s;
-  nearest_m_ = 1e9;
-  wander_until_s_ = -1.0;
+  seen_s_ = context->time_s;
+  rule_drive_.Enter(context);
   floor_looks_ = 0;
   arriving_ = false;
 }
@@ -98,18 +96,8 @@ Transition ApproachPhase::DriveByMap(Context* context, const SupportHypothesis& 
 }
 
 Transition ApproachPhase::DriveByRule(Context* context, const SupportHypothesis& target) {
-  const double distance_m = InRobot(*context, target.p_WFoot_m).norm();
-  if (context->time_s < wander_until_s_) {
-    context->text = "trapped, wandering to find another way";
-    context->wishes.velocity = context->drive.Wander(context->time_s, context->senses);
-    nearest_m_ = 1e9;
-    nearer_s_ = context->time_s;
-    return std::nullopt;
-  }
-  context->text = ApproachText(distance_m);
-  context->wishes.velocity = context->drive.Toward(context->time_s, context->senses,
-                                                   target.p_WFoot_m, context->stop_distance_m);
-  return GuardProgress(context, distance_m);
+  context->text = ApproachText(InRobot(*context, target.p_WFoot_m).norm());
+  return rule_drive_.Toward(context, target.p_WFoot_m, context->stop_distance_m);
 }
 
 void ApproachPhase::See(Context* context) {
@@ -141,21 +129,6 @@ Transition ApproachPhase::Arrive(Context* context, const Eigen::Vector2d& target
   }
   if (context->senses.base().moving) return std::nullopt;
   return Next{Phase::kCentre, "arrived before the target"};
-}
-
-Transition ApproachPhase::GuardProgress(Context* context, double distance_m) {
-  const auto& driving = context->options.driving;
-  if (distance_m < nearest_m_ - driving.progress_m) {
-    nearest_m_ = distance_m;
-    nearer_s_ = context->time_s;
-  }
-  if (context->time_s - nearer_s_ <= driving.progress_s) return std::nullopt;
-  if (context->counters.traps++ >= context->options.patience.traps) {
-    return Next{Phase::kDone, "trapped: no way to the target was found"};
-  }
-  wander_until_s_ = context->time_s + driving.wander_s;
-  context->drive.Rest();
-  return std::nullopt;
 }
 
 }  // namespace geon::mission

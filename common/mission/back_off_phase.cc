@@ -27,6 +27,9 @@ Transition BackOffPhase::Step(Context* context) {
     return std::nullopt;
   }
   if (context->senses.base().moving) return std::nullopt;
+  if (context->options.destination_W_m && !context->arrived) {
+    return Next{Phase::kTravel, "driving on to the destination"};
+  }
   if (const SupportHypothesis* target = context->target.Best()) {
     if (const auto aim =
             AimAt(*context, target->p_WFoot_m, target->support_height_m + kTargetMiddle_m)) {

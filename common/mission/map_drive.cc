@@ -33,18 +33,28 @@ navigation::CostToGoOptions Tight(const DrivingOptions& options) {
   return tight;
 }
 
+// Ways that the safe polygon is sure to leave open, however the obstacles beside them lie.
+navigation::CostToGoOptions Wide(const DrivingOptions& options) {
+  navigation::CostToGoOptions wide = options.cost_to_go;
+  wide.least_clearance_m =
+      std::max(wide.least_clearance_m, options.map_polygon.clearance_m + 0.5 * options.map.cell_m);
+  wide.easy_clearance_m = std::max(wide.easy_clearance_m, 1.5 * wide.least_clearance_m);
+  return wide;
+}
+
 }  // namespace
 
 MapDrive::MapDrive(const MissionOptions& options)
     : options_(options.driving),
       easy_cost_(options.driving.cost_to_go),
+      wide_cost_(Wide(options.driving)),
       tight_cost_(Tight(options.driving)) {}
 
 void MapDrive::Rest() {
   follower_.Rest();
   polygon_R_ = {};
   mapped_W_m_.reset();
-  started_ = recovering_ = false;
+  started_ = recovering_ = wide_ = false;
   recovery_ = Recovery::kNone;
 }
 
@@ -130,6 +140,11 @@ void MapDrive::Map(double now_s, const Senses& senses) {
     return (p_W_m - goal_.p_W_m).norm() < own_m_;
   });
   const auto goals = GoalCells(map);
+  if (wide_) {
+    wide_cost_.Compute(map, clearance_, goals);
+    cost_ = &wide_cost_;
+    if (std::isfinite(wide_cost_.At(here))) return;
+  }
   easy_cost_.Compute(map, clearance_, goals);
   cost_ = &easy_cost_;
   if (std::isfinite(easy_cost_.At(here))) return;
@@ -151,7 +166,7 @@ bool MapDrive::Progresses(double now_s, double cost_m) {
 }
 
 void MapDrive::StartRecovery(double now_s, const Senses& senses) {
-  const Recovery last = goal_.insists() ? Recovery::kStepBack : Recovery::kDoubtBright;
+  const Recovery last = goal_.insists ? Recovery::kStepBack : Recovery::kDoubtBright;
   recovery_ = recovery_ >= last ? Recovery::kGiveUp
                                 : static_cast<Recovery>(static_cast<int>(recovery_) + 1);
   recovering_ = true;
@@ -174,6 +189,10 @@ std::optional<MapDrive::Answer> MapDrive::Recover(double now_s, Senses* senses) 
       return Answer{{}, "no nearer: listening to all sonars again", {}};
     case Recovery::kForget:
       senses->ForgetDoubtfulObstacles();
+      if (std::isfinite(recovered_cost_m_) && !wide_) {
+        wide_ = true;
+        mapped_W_m_.reset();
+      }
       return end();
     case Recovery::kDoubtBright:
       if (senses->DoubtBrightObstacles(now_s)) return end();
@@ -193,15 +212,20 @@ std::optional<MapDrive::Answer> MapDrive::Recover(double now_s, Senses* senses) 
                     "no nearer: stepping back",
                     {}};
     case Recovery::kGiveUp:
-      return Answer{{},
-                    "",
-                    std::isfinite(recovered_cost_m_)
-                        ? "unreachable: the robot comes no nearer on the way that the map shows"
-                        : "unreachable: obstacles close every way to where the target can be seen"};
+      return Answer{{}, "", WhyUnreachable()};
     case Recovery::kNone:
       break;
   }
   return end();
+}
+
+std::string MapDrive::WhyUnreachable() const {
+  if (std::isfinite(recovered_cost_m_)) {
+    return "unreachable: the robot comes no nearer on the way that the map shows";
+  }
+  const bool place = goal_.stop_distance_m <= 0.0;
+  return std::string("unreachable: obstacles close every way to ") +
+         (place ? "the place" : "where the target can be seen");
 }
 
 }  // namespace geon::mission

@@ -18,9 +18,9 @@ namespace geon::mission {
 // The planner `map`: drives to where a target can be looked at, by what the map of obstacles says
 // it costs from everywhere (cost_to_go.h), one straight move within the safe polygon after another
 // (thesis 4.3). It notices when it comes no nearer and then tries, in this order: hear the whole
-// sonar ring anew, forget what may have been a mistake, doubt what may be a lamp's image in the
-// floor (the speed on ground that no picture showed is low), look all round, step back. What none
-// of these opens is unreachable, and why is told.
+// sonar ring anew, forget what may have been a mistake (and prefer wider gaps from then on), doubt
+// what may be a lamp's image in the floor (the speed on ground that no picture showed is low), look
+// all round, step back. What none of these opens is unreachable, and why is told.
 class MapDrive {
  public:
   explicit MapDrive(const MissionOptions& options);
@@ -35,7 +35,7 @@ class MapDrive {
   // Toward a target in W, to stop at most `stop_distance_m` before it.
   Answer Toward(double now_s, const Eigen::Vector2d& p_WTarget_m, double stop_distance_m,
                 Senses* senses) {
-    return Drive(now_s, {p_WTarget_m, stop_distance_m, {}}, senses);
+    return Drive(now_s, {p_WTarget_m, stop_distance_m, {}, true}, senses);
   }
   // Round a target to one of its sides: the bearing in W from the target to the robot. Given up
   // after the first three recoveries.
@@ -46,6 +46,10 @@ class MapDrive {
   // To a place in W. One of many, so that it is given up after the first three recoveries.
   Answer To(double now_s, const Eigen::Vector2d& p_W_m, Senses* senses) {
     return Drive(now_s, {p_W_m, 0.0, {}}, senses);
+  }
+  // To the one place in W that the robot was sent to: everything is tried.
+  Answer ToDestination(double now_s, const Eigen::Vector2d& p_W_m, Senses* senses) {
+    return Drive(now_s, {p_W_m, 0.0, {}, true}, senses);
   }
 
   // Starts anew: another target, or something else took over meanwhile.
@@ -61,12 +65,13 @@ class MapDrive {
     Eigen::Vector2d p_W_m = Eigen::Vector2d::Zero();
     double stop_distance_m = 0.0;  // 0: a place to stand at, not a target
     std::optional<double> side_rad;
-    bool insists() const { return stop_distance_m > 0.0 && !side_rad; }
+    bool insists = false;  // on this one goal: looks round and steps back before giving up
   };
   Answer Drive(double now_s, const Goal& goal, Senses* senses);
   void Map(double now_s, const Senses& senses);
   std::vector<navigation::CostToGo::Goal> GoalCells(const navigation::OccupancyGrid& map) const;
   std::optional<Answer> Recover(double now_s, Senses* senses);
+  std::string WhyUnreachable() const;
   void StartRecovery(double now_s, const Senses& senses);
   // Slow where the body comes upon ground that no picture showed, and where obstacles were
   // forgotten.
@@ -81,8 +86,9 @@ class MapDrive {
   double own_m_ = 0.0;
   std::vector<Eigen::Vector2d> bending_R_m_;
   navigation::ClearanceField clearance_;
-  // To the target: along ways of the clearance that is kept, and along tighter ones.
-  navigation::CostToGo easy_cost_, tight_cost_;
+  // To the target: along ways of the clearance that is kept, along wider ones, and along tighter.
+  navigation::CostToGo easy_cost_, wide_cost_, tight_cost_;
+  bool wide_ = false;  // wider ones are preferred: the robot did not get through a gap
   const navigation::CostToGo* cost_ = &easy_cost_;  // in use
   std::optional<Eigen::Vector2d> mapped_W_m_;       // the goal that cost_ leads to
   int64_t mapped_revision_ = -1;

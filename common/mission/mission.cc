@@ -27,7 +27,8 @@ constexpr double kLearnFloor_s = 1.8;
 constexpr double kOneTarget_m = 0.35;  // scans so near to each other are of one target
 
 bool Drives(Phase phase) {
-  return phase == Phase::kSearch || phase == Phase::kApproach || phase == Phase::kBackOff;
+  return phase == Phase::kTravel || phase == Phase::kSearch || phase == Phase::kApproach ||
+         phase == Phase::kBackOff;
 }
 
 std::vector<Eigen::Vector2d> InWorld(const geometry::RigidTransform& X_WR,
@@ -159,7 +160,9 @@ Transition Mission::StepPhase() {
         context_.text = "standing still to hear all sonars and to learn the floor's colour";
         return std::nullopt;
       }
-      return Next{Phase::kSearch, "all devices answer"};
+      return Next{options_.destination_W_m ? Phase::kTravel : Phase::kSearch, "all devices answer"};
+    case Phase::kTravel:
+      return travel_.Step(&context_);
     case Phase::kSearch:
       return search_.Step(&context_);
     case Phase::kApproach:
@@ -261,7 +264,8 @@ std::optional<sensor::GeonVerdict> Mission::FinishTarget(const std::string& why)
 }
 
 Next Mission::NextGeon(const Next& end) {
-  const bool seen = context_.views.count() > 0 || phase_ != Phase::kSearch;
+  const bool seen =
+      context_.views.count() > 0 || (phase_ != Phase::kSearch && phase_ != Phase::kTravel);
   std::optional<sensor::GeonVerdict> verdict;
   if (seen) verdict = FinishTarget(end.why);
   if (!options_.inventory) {
@@ -289,6 +293,9 @@ void Mission::Enter(const Next& next) {
   context_.wishes.velocity = {};
   switch (phase_) {
     case Phase::kWait:
+      break;
+    case Phase::kTravel:
+      travel_.Enter(&context_);
       break;
     case Phase::kSearch:
       search_.Enter(&context_, next.near);

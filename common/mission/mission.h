@@ -11,13 +11,15 @@
 #include "mission/phase.h"
 #include "mission/scan_phase.h"
 #include "mission/search_phase.h"
+#include "mission/travel_phase.h"
 #include "sensor/planner_state.h"
 
 namespace geon::mission {
 
-// The robot's job as a state machine: find a geon, drive up to it, centre it, lay six stripes, get
-// a verdict. What was heard and the time go in, wishes come out; nothing here waits, sleeps or
-// sends, so that the same mission runs in a daemon and in virtual time.
+// The robot's job as a state machine: drive to the destination, if there is one; find a geon, drive
+// up to it, centre it, lay six stripes, get a verdict. What was heard and the time go in, wishes
+// come out; nothing here waits, sleeps or sends, so that the same mission runs in a daemon and in
+// virtual time.
 //
 // With the planner `map` a target that the verdict does not decide on is looked at again from
 // another side, and all views are weighed together; with `inventory` the mission goes on until all
@@ -77,6 +79,7 @@ class Mission {
   geometry::SensorRig rig_;
   Context context_;
   Phase phase_ = Phase::kWait;
+  TravelPhase travel_;
   SearchPhase search_;
   ApproachPhase approach_;
   CentrePhase centre_;

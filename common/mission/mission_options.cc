@@ -115,6 +115,15 @@ bool MissionOptions::IsValid(std::string* error) const {
   if (looking.stop_distance_m <= driving.safe_polygon.clearance_m) {
     return Fail(error, "stop_distance_m must be greater than clearance_m");
   }
+  if (destination_W_m) {
+    // The map must hold the robot there, and something of what stands round about.
+    constexpr double kBeyond_m = 1.0;
+    const double most_m = driving.map.reach_m - kBeyond_m;
+    if (!destination_W_m->allFinite() || destination_W_m->cwiseAbs().maxCoeff() > most_m) {
+      return Fail(error, "the destination must lie within " + std::to_string(most_m).substr(0, 4) +
+                             " m of where odometry started, along both axes");
+    }
+  }
   return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -117,6 +118,8 @@ struct MissionOptions {
   DrivingOptions driving;
   LookingOptions looking;
   PatienceOptions patience;
+  // Drive here first, then look for geons: in W, so that the origin is where odometry started.
+  std::optional<Eigen::Vector2d> destination_W_m;
   bool inventory = false;  // name all geons, not just the first one; of planner `map`
   uint32_t seed = 1;       // of the wandering
 

@@ -24,6 +24,8 @@ std::string_view ToString(Phase phase) {
   switch (phase) {
     case Phase::kWait:
       return "wait";
+    case Phase::kTravel:
+      return "travel";
     case Phase::kSearch:
       return "search";
     case Phase::kApproach:

@@ -26,7 +26,7 @@
 namespace geon::mission {
 
 // What the robot is about. `docs/channels.md` shows these names in PLANNER_STATE.
-enum class Phase { kWait, kSearch, kApproach, kCentre, kBackOff, kScan, kDone };
+enum class Phase { kWait, kTravel, kSearch, kApproach, kCentre, kBackOff, kScan, kDone };
 std::string_view ToString(Phase phase);
 
 // A picture that a decision was taken on, for people to see what the robot saw.
@@ -88,6 +88,7 @@ struct Context {
   std::string text;  // what is being done, for people
   int64_t scan_id = 0;
   int32_t stripe_index = 0;
+  bool arrived = false;  // at the destination, where there is one
 };
 
 // How a phase ends.

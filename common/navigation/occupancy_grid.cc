@@ -27,6 +27,9 @@ std::optional<std::string> OccupancyGridOptions::Validate() const {
   if (!(most_seen_1 > occupied_1 && most_heard_1 > occupied_1 && occupied_1 > free_again_1)) {
     return "the most evidence must be above occupied_1, and that above free_again_1";
   }
+  if (!(half_arc_rad > 0.0 && arc_margin_m >= 0.0)) {
+    return "half_arc_rad must be positive, arc_margin_m not negative";
+  }
   if (!(near_m > 0.0 && floor_margin_m >= 0.0 && silence_margin_m >= 0.0)) {
     return "near_m must be positive, margins not negative";
   }
@@ -183,6 +186,22 @@ void OccupancyGrid::Hear(double now_s, const sensor::SonarScan& scan, const Ring
   heard_any_ = true;
 }
 
+bool OccupancyGrid::IsExplained(const Eigen::Vector2d& center_W_m, double bearing_rad,
+                                double distance_m) const {
+  const double step_rad = options_.cell_m / distance_m;
+  for (double from_axis_rad = -options_.half_arc_rad; from_axis_rad <= options_.half_arc_rad;
+       from_axis_rad += step_rad) {
+    const double angle_rad = bearing_rad + from_axis_rad;
+    const Eigen::Vector2d along(std::cos(angle_rad), std::sin(angle_rad));
+    for (double off_m = -options_.arc_margin_m; off_m <= options_.arc_margin_m;
+         off_m += options_.cell_m) {
+      const GridCell cell = CellAt(center_W_m + (distance_m + off_m) * along);
+      if (Covers(cell) && cells_[Index(cell)].seen_1 > options_.occupied_1) return true;
+    }
+  }
+  return false;
+}
+
 void OccupancyGrid::HearOne(const sensor::SonarScan& scan, int sensor, const RingOptions& rings) {
   const double range_m = scan.range_m[static_cast<size_t>(sensor)];
   const bool echo = std::isfinite(range_m);
@@ -213,6 +232,8 @@ void OccupancyGrid::HearOne(const sensor::SonarScan& scan, int sensor, const Rin
     }
   }
   if (!echo || range_m > rings.sonar_max_m) return;
+  // At its blanking distance a sonar does not say how near it is.
+  if (range_m > rings.sonar_min_m && IsExplained(center_W_m, bearing_rad, near_m + range_m)) return;
   const Eigen::Vector2d p_W_m = place(0.0, near_m + std::max(range_m, rings.sonar_min_m));
   const GridCell cell = CellAt(p_W_m);
   if (!Covers(cell)) return;

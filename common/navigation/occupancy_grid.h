@@ -40,6 +40,9 @@ struct OccupancyGridOptions {
   double half_cone_rad = 0.14;     // in which silence counts as free
   double silence_reach_m = 2.0;    // and how far
   double silence_margin_m = 0.20;  // and how far before an echo
+  // An echo may come from anywhere on an arc: of this half width, and so much nearer or farther.
+  double half_arc_rad = 0.22;
+  double arc_margin_m = 0.10;
 
   double felt_1 = 2.0;  // infrared and bumpers
 
@@ -85,10 +88,11 @@ struct GridWindow {
 //
 // Deviations: the three kinds of sensor are kept apart and only their conclusions meet, for one
 // must not erase what another knows better: what the floor camera saw stands whatever the sonars
-// say; what they heard stands only where the camera has not seen floor. An echo comes from an arc
-// and counts on the sensor's axis. A sonar's reading counts once, when it changes: each is up to a
-// ring's round old. Every occupied cell remembers where in it the obstacle was met, so that gaps
-// are not narrowed by the cells' size. Evidence fades to "unknown".
+// say; what they heard stands only where the camera has not seen floor. An echo comes from an arc:
+// what the camera saw on it explains it; else it counts on the sensor's axis. A sonar's reading
+// counts once, when it changes: each is up to a ring's round old. Every occupied cell remembers
+// where in it the obstacle was met, so that gaps are not narrowed by the cells' size. Evidence
+// fades to "unknown".
 //
 // Time is the caller's, in seconds, and must not run backwards. The map does not move with the
 // robot; it must be cleared when odometry starts anew.
@@ -170,6 +174,8 @@ class OccupancyGrid {
   void Fade(double now_s);
   template <typename Visit>
   void AlongRay(const Eigen::Vector2d& from_W_m, const Eigen::Vector2d& to_W_m, Visit visit);
+  // Whether the camera saw what may have sent this echo, of a sonar at the robot's `distance_m`.
+  bool IsExplained(const Eigen::Vector2d& center_W_m, double bearing_rad, double distance_m) const;
   void HearOne(const sensor::SonarScan& scan, int sensor, const RingOptions& rings);
 
   OccupancyGridOptions options_;

@@ -12,18 +12,22 @@ std::string CsvTable::At(size_t row, const std::string& column) const {
 
 CsvTable ParseCsv(const std::string& text) {
   std::vector<std::vector<std::string>> lines;
+  std::vector<int> numbers;  // of the lines
   std::vector<std::string> line;
   std::string field;
   bool quoted = false;
+  int number = 1, next = 1;
   const auto end_line = [&] {
     if (line.empty() && field.empty()) return;  // a blank line
     line.push_back(std::move(field));
     field.clear();
     lines.push_back(std::move(line));
+    numbers.push_back(number);
     line.clear();
   };
   for (size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
+    if (c == '\n') ++next;
     if (c == '"') {
       if (quoted && i + 1 < text.size() && text[i + 1] == '"') {
         field += '"';
@@ -38,6 +42,7 @@ CsvTable ParseCsv(const std::string& text) {
       field.clear();
     } else if (c == '\n') {
       end_line();
+      number = next;
     }
   }
   end_line();
@@ -45,6 +50,7 @@ CsvTable ParseCsv(const std::string& text) {
   if (lines.empty()) return table;
   table.heading = std::move(lines.front());
   table.rows.assign(lines.begin() + 1, lines.end());
+  table.lines.assign(numbers.begin() + 1, numbers.end());
   return table;
 }
 

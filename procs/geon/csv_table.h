@@ -10,6 +10,7 @@ namespace geon::cli {
 struct CsvTable {
   std::vector<std::string> heading;
   std::vector<std::vector<std::string>> rows;
+  std::vector<int> lines;  // of the text, from 1, on which each row begins
   // Empty when the table has no such column or the row ends before it.
   std::string At(size_t row, const std::string& column) const;
 };

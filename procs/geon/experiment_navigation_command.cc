@@ -6,6 +6,7 @@
 
 #include "config/daemon_arguments.h"
 #include "config/text_file.h"
+#include "procs/geon/barn_courses.h"
 #include "procs/geon/commands.h"
 #include "procs/geon/experiment_commands.h"
 #include "procs/geon/navigation_record.h"
@@ -21,17 +22,22 @@ using lockstep::NavigationEnd;
 
 struct NavigationArguments {
   std::vector<std::filesystem::path> worlds;
-  std::filesystem::path output, robot_file, sim_file;
+  std::filesystem::path barn, output, robot_file, sim_file;
   int pens = 200;
   std::string pen = "mixed";
   std::string planner;  // the robot file's
   std::string sensors = "real";
   std::string shard = "1/1";
   uint64_t seed = 1;
-  double longest_s = 120.0;
+  std::optional<double> longest_s;
   bool json = false;
   int jobs = 1;
 };
+
+double Longest_s(const NavigationArguments& arguments) {
+  constexpr double kPen_s = 120.0, kCourse_s = 240.0;
+  return arguments.longest_s.value_or(arguments.barn.empty() ? kPen_s : kCourse_s);
+}
 
 int FailNavigation(const Status& status) {
   std::cerr << "geon experiment navigation: " << status.message() << '\n';
@@ -43,6 +49,7 @@ struct NavigationCase {
   NavigationTrialRecord trial;
   std::optional<sim::World> world;  // else a pen, made when its turn comes
   sim::PenKind pen = sim::PenKind::kBoxes;
+  std::optional<Eigen::Vector2d> destination_W_m;
 };
 
 std::vector<NavigationCase> PenCases(const NavigationArguments& arguments) {
@@ -78,6 +85,29 @@ Result<std::vector<NavigationCase>> WorldCases(const NavigationArguments& argume
   return cases;
 }
 
+Result<std::vector<NavigationCase>> BarnCases(const NavigationArguments& arguments) {
+  Result<std::vector<BarnCourse>> courses = LoadBarnCourses(arguments.barn);
+  if (!courses.ok()) return courses.status();
+  std::vector<NavigationCase> cases;
+  for (BarnCourse& course : *courses) {
+    NavigationCase each;
+    each.trial.t = static_cast<int>(cases.size());
+    each.trial.seed = arguments.seed + cases.size();
+    each.trial.world = course.split;
+    each.trial.course = CourseRecord{course.id, course.shortest_m, course.optimal_s, 0.0};
+    each.world = std::move(course.world);
+    each.destination_W_m = course.destination_W_m;
+    cases.push_back(std::move(each));
+  }
+  return cases;
+}
+
+Result<std::vector<NavigationCase>> CasesOf(const NavigationArguments& arguments) {
+  if (!arguments.barn.empty()) return BarnCases(arguments);
+  if (!arguments.worlds.empty()) return WorldCases(arguments);
+  return PenCases(arguments);
+}
+
 Status RunCases(const lockstep::LockstepSettings& settings, const NavigationArguments& arguments,
                 std::vector<NavigationCase>* cases, NavigationRecord* record) {
   Progress progress("geon experiment navigation");
@@ -88,8 +118,9 @@ Status RunCases(const lockstep::LockstepSettings& settings, const NavigationArgu
     NavigationCase& each = (*cases)[static_cast<size_t>(k)];
     NavigationTrialRecord& trial = each.trial;
     const sim::World world = each.world ? *each.world : sim::RandomPen(trial.seed, each.pen);
-    const auto outcome =
-        lockstep::RunNavigationTrial(settings, world, trial.seed, arguments.longest_s);
+    lockstep::LockstepSettings own = settings;
+    own.mission.destination_W_m = each.destination_W_m;
+    const auto outcome = lockstep::RunNavigationTrial(own, world, trial.seed, Longest_s(arguments));
     const std::lock_guard lock(mutex);
     progress.Say(static_cast<double>(++done) / static_cast<double>(cases->size()));
     if (!outcome.ok()) {
@@ -104,6 +135,7 @@ Status RunCases(const lockstep::LockstepSettings& settings, const NavigationArgu
     trial.contacts = track.contacts;
     trial.hardest_contact_m_s = track.hardest_contact_m_s;
     trial.path_m = track.path_m;
+    if (trial.course) trial.course->left_m = outcome->left_m.value_or(0.0);
     if (!trial.right() || trial.contacts > 0) {
       AddDrawnRun(DrawRun(trial.t, world, track.path_W_m), &record->maps);
     }
@@ -121,21 +153,21 @@ int RunNavigation(const NavigationArguments& arguments) {
   mission::PlannerKind& planner = settings.mission.driving.planner;
   planner = mission::PlannerKindFromString(arguments.planner).value_or(planner);
 
-  Result<std::vector<NavigationCase>> cases =
-      arguments.worlds.empty() ? PenCases(arguments) : WorldCases(arguments);
+  Result<std::vector<NavigationCase>> cases = CasesOf(arguments);
   if (!cases.ok()) return FailNavigation(cases.status());
   const Shard shard = ParseShard(arguments.shard);
   std::erase_if(*cases, [&](const NavigationCase& each) {
     return each.trial.t % shard.count != shard.index - 1;
   });
+  const bool pens = arguments.worlds.empty() && arguments.barn.empty();
   NavigationRecord record;
   record.planner = ToString(planner);
   record.seed = arguments.seed;
   record.git = config::BuildVersion();
   record.conditions = {{"sensors", arguments.sensors},
-                       {"pens", arguments.worlds.empty() ? arguments.pens : 0},
-                       {"pen", arguments.worlds.empty() ? arguments.pen : ""},
-                       {"longest_s", arguments.longest_s}};
+                       {"pens", pens ? arguments.pens : 0},
+                       {"pen", pens ? arguments.pen : ""},
+                       {"longest_s", Longest_s(arguments)}};
   const auto begin = std::chrono::steady_clock::now();
   if (Status status = RunCases(settings, arguments, &*cases, &record); !status.ok()) {
     return FailNavigation(status);
@@ -180,6 +212,14 @@ void AddExperimentNavigationCommand(CLI::App& experiment, int* exit_code) {
   command->add_option("--worlds", arguments->worlds, "world files instead of random pens")
       ->check(CLI::ExistingFile);
   command
+      ->add_option("--barn", arguments->barn,
+                   "folder with worlds.csv and obstacles.csv of BARN's kind: courses through "
+                   "cylinders, each to be driven to its goal")
+      ->check(CLI::ExistingDirectory)
+      ->excludes("--worlds")
+      ->excludes("--pens")
+      ->excludes("--pen");
+  command
       ->add_option(
           "--planner", arguments->planner,
           "thesis: the vertex rule of section 4.3; map: by a map of obstacles; the default "
@@ -191,9 +231,10 @@ void AddExperimentNavigationCommand(CLI::App& experiment, int* exit_code) {
                    "has them; degraded: sonars often deaf or fooled, crosstalk, 2 % drift, glare")
       ->check(CLI::IsMember({"perfect", "real", "degraded"}))
       ->capture_default_str();
-  command->add_option("--longest-s", arguments->longest_s, "a run that takes longer is trapped")
-      ->check(CLI::Range(1.0, 3600.0))
-      ->capture_default_str();
+  command
+      ->add_option("--longest-s", arguments->longest_s,
+                   "a run that takes longer is trapped; 120, with --barn 240")
+      ->check(CLI::Range(1.0, 3600.0));
   command->add_option("--config", arguments->robot_file, "robot file")->capture_default_str();
   command->add_option("--sim-config", arguments->sim_file, "what the simulated robot is like")
       ->capture_default_str();
@@ -205,7 +246,8 @@ void AddExperimentNavigationCommand(CLI::App& experiment, int* exit_code) {
   command->footer(
       "Examples:\n  geon experiment navigation --pens 1000 --jobs 2 -o pens\n"
       "  geon experiment navigation --pens 1000 --planner thesis\n"
-      "  geon experiment navigation --worlds hall.yaml --sensors perfect");
+      "  geon experiment navigation --worlds hall.yaml --sensors perfect\n"
+      "  geon experiment navigation --barn ~/barn --sensors real --jobs 2 -o courses");
   command->callback([arguments, exit_code] { *exit_code = RunNavigation(*arguments); });
 }
 

@@ -14,17 +14,26 @@ using lockstep::NavigationEnd;
 using nlohmann::json;
 
 json ToJson(const NavigationTrialRecord& trial) {
-  return {{"t", trial.t},
-          {"world", trial.world},
-          {"seed", trial.seed},
-          {"expected", ToString(trial.expected)},
-          {"end", ToString(trial.end)},
-          {"why", trial.why},
-          {"first_sight_s", OptionalJson(trial.first_sight_s)},
-          {"end_s", trial.end_s},
-          {"contacts", trial.contacts},
-          {"hardest_contact_m_s", trial.hardest_contact_m_s},
-          {"path_m", trial.path_m}};
+  json value = {{"t", trial.t},
+                {"world", trial.world},
+                {"seed", trial.seed},
+                {"expected", ToString(trial.expected)},
+                {"end", ToString(trial.end)},
+                {"why", trial.why},
+                {"first_sight_s", OptionalJson(trial.first_sight_s)},
+                {"end_s", trial.end_s},
+                {"contacts", trial.contacts},
+                {"hardest_contact_m_s", trial.hardest_contact_m_s},
+                {"path_m", trial.path_m}};
+  if (trial.course) {
+    value["course"] = {{"id", trial.course->id},
+                       {"shortest_m", trial.course->shortest_m},
+                       {"optimal_s", trial.course->optimal_s},
+                       {"left_m", trial.course->left_m},
+                       {"length_ratio_1", trial.length_ratio_1()},
+                       {"barn_score_1", trial.barn_score_1()}};
+  }
+  return value;
 }
 
 NavigationTrialRecord ParseNavigationTrial(const json& value) {
@@ -41,19 +50,29 @@ NavigationTrialRecord ParseNavigationTrial(const json& value) {
   trial.contacts = value.at("contacts");
   trial.hardest_contact_m_s = value.at("hardest_contact_m_s");
   trial.path_m = value.at("path_m");
+  if (value.contains("course")) {
+    const json& course = value.at("course");
+    trial.course = CourseRecord{course.at("id"), course.at("shortest_m"), course.at("optimal_s"),
+                                course.at("left_m")};
+  }
   return trial;
 }
 
 json RatesOf(const NavigationSummary& summary) {
-  return {{"runs", summary.runs},
-          {"right", summary.right},
-          {"reached", summary.reached},
-          {"contacts", summary.contacts},
-          {"hardest_contact_m_s", summary.hardest_contact_m_s},
-          {"trapped", summary.trapped},
-          {"unreachable", summary.unreachable},
-          {"none_found", summary.none_found},
-          {"time_s", SpreadJson(summary.times_s)}};
+  json rates = {{"runs", summary.runs},
+                {"right", summary.right},
+                {"reached", summary.reached},
+                {"contacts", summary.contacts},
+                {"hardest_contact_m_s", summary.hardest_contact_m_s},
+                {"trapped", summary.trapped},
+                {"unreachable", summary.unreachable},
+                {"none_found", summary.none_found},
+                {"time_s", SpreadJson(summary.times_s)}};
+  if (summary.barn_score_1) {
+    rates["length_ratio_1"] = OptionalJson(summary.length_ratio_1);
+    rates["barn_score_1"] = OptionalJson(summary.barn_score_1);
+  }
+  return rates;
 }
 
 json RatesJson(const NavigationRecord& record) {
@@ -64,6 +83,10 @@ json RatesJson(const NavigationRecord& record) {
   }
   rates["worlds"] = worlds;
   return rates;
+}
+
+bool HasCourses(const NavigationRecord& record) {
+  return !record.trials.empty() && record.trials.front().course.has_value();
 }
 
 std::string Row(const std::string& name, const NavigationSummary& summary) {
@@ -77,10 +100,19 @@ std::string Row(const std::string& name, const NavigationSummary& summary) {
     std::snprintf(text, sizeof text, "%9.1f%8.1f%8.1f", spread->p50, spread->p95, spread->max);
     row += text;
   }
+  if (spread && summary.length_ratio_1 && summary.barn_score_1) {
+    std::snprintf(text, sizeof text, "%9.3f%8.3f", *summary.length_ratio_1, *summary.barn_score_1);
+    row += text;
+  }
   return row + "\n";
 }
 
 }  // namespace
+
+double NavigationTrialRecord::barn_score_1() const {
+  if (end != NavigationEnd::kReached) return 0.0;
+  return course->optimal_s / std::clamp(end_s, 2.0 * course->optimal_s, 8.0 * course->optimal_s);
+}
 
 std::vector<std::string> WorldsOf(const NavigationRecord& record) {
   std::vector<std::string> worlds;
@@ -94,6 +126,8 @@ std::vector<std::string> WorldsOf(const NavigationRecord& record) {
 
 NavigationSummary Summarize(const NavigationRecord& record, const std::string& world) {
   NavigationSummary summary;
+  int courses = 0, arrived = 0;
+  double ratios_1 = 0.0, scores_1 = 0.0;
   for (const NavigationTrialRecord& trial : record.trials) {
     if (!world.empty() && trial.world != world) continue;
     ++summary.runs;
@@ -104,10 +138,21 @@ NavigationSummary Summarize(const NavigationRecord& record, const std::string& w
     summary.trapped += trial.end == NavigationEnd::kTrapped ? 1 : 0;
     summary.contacts += trial.contacts;
     summary.hardest_contact_m_s = std::max(summary.hardest_contact_m_s, trial.hardest_contact_m_s);
-    if (trial.end == NavigationEnd::kReached && trial.first_sight_s) {
+    if (trial.course) {
+      ++courses;
+      scores_1 += trial.barn_score_1();
+    }
+    if (trial.end != NavigationEnd::kReached) continue;
+    if (trial.course) {
+      ++arrived;
+      ratios_1 += trial.length_ratio_1();
+      summary.times_s.push_back(trial.end_s);
+    } else if (trial.first_sight_s) {
       summary.times_s.push_back(trial.end_s - *trial.first_sight_s);
     }
   }
+  if (courses > 0) summary.barn_score_1 = scores_1 / courses;
+  if (arrived > 0) summary.length_ratio_1 = ratios_1 / arrived;
   return summary;
 }
 
@@ -162,11 +207,13 @@ Result<NavigationRecord> MergeNavigationRecords(const std::vector<NavigationReco
 }
 
 std::string NavigationTables(const NavigationRecord& record) {
-  std::string text = "planner " + record.planner + ", sensors " +
-                     record.conditions.value("sensors", "") +
-                     "; times in s, from the first sight to the place to look from\n" +
-                     "world               runs   right  reached  unreachable  none found  trapped"
-                     "  contacts  at m/s   median     95 %     max\n";
+  std::string text =
+      "planner " + record.planner + ", sensors " + record.conditions.value("sensors", "") +
+      "; times in s, from the " +
+      (HasCourses(record) ? "start to the destination" : "first sight to the place to look from") +
+      "\nworld               runs   right  reached  unreachable  none found  trapped"
+      "  contacts  at m/s   median     95 %     max" +
+      (HasCourses(record) ? "   length   score\n" : "\n");
   const std::vector<std::string> worlds = WorldsOf(record);
   constexpr size_t kMostRows = 40;
   for (size_t k = 0; k < std::min(worlds.size(), kMostRows); ++k) {

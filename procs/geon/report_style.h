@@ -54,7 +54,7 @@ svg text{font:11px system-ui,sans-serif;fill:var(--muted)}
 .truth-key{border:2px solid var(--good);border-radius:50%}
 .bar{display:flex;height:22px;border-radius:6px;overflow:hidden;background:var(--line);margin-bottom:12px}
 .bar i{display:block;height:100%}.phase{background:var(--muted)}
-.phase.search{background:#7b8fc9}.phase.approach{background:#3f9d8a}.phase.centre{background:#c9a13b}
+.phase.travel{background:#5f7d4e}.phase.search{background:#7b8fc9}.phase.approach{background:#3f9d8a}.phase.centre{background:#c9a13b}
 .phase.back_off{background:#b7654f}.phase.scan{background:#0b6e8f}.phase.done{background:#1d7f4b}
 .phase.wait{background:#9aa3aa}
 .dot{display:inline-block;width:10px;height:10px;border-radius:50%;margin-right:7px}

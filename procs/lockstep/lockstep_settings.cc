@@ -25,6 +25,7 @@ Result<LockstepSettings> LoadLockstepSettings(const std::filesystem::path& robot
   planner::ReadPlannerSection(root.Child("planner"), robot_file, &settings.mission);
   recognizer::ReadRecognizerSection(root.Child("recognizer"), &settings.recognizer);
   if (Status status = document->Finish(); !status.ok()) return status;
+  settings.mission.destination_W_m.reset();  // where to go is the experiment's to say
   if (settings.color_camera.exposure) {
     settings.color_camera.exposure->target_color = settings.mission.seeing.target_color;
   }

@@ -99,13 +99,26 @@ Result<NavigationOutcome> RunNavigationTrial(const LockstepSettings& settings,
   // A scan begun at a wrong place, by a wrong belief of where the geon stands, shows the mission
   // its error: it goes on.
   const double near_m = settings.mission.looking.stop_distance_m + kInPosition_m;
+  const geometry::RigidTransform X_PenW =
+      geometry::PlanarPose(world.robot_x_m, world.robot_y_m, world.robot_heading_rad);
+  const auto destination_W_m = settings.mission.destination_W_m;
+  const auto left_m = [&] {
+    const sim::RobotTruth truth = robot.truth();
+    return (geometry::OnGround(X_PenW, *destination_W_m) - Eigen::Vector2d(truth.x_m, truth.y_m))
+        .norm();
+  };
   const auto in_position = [&] {
+    if (destination_W_m) return left_m() < kInPosition_m;
     return robot.mission().phase() == mission::Phase::kScan &&
            DistanceToGeon(world, robot.truth()) < near_m;
   };
   RunWatch watch;
+  // It looks for a geon at a destination that it believes to have reached.
+  const auto is_elsewhere = [&] {
+    return destination_W_m && robot.mission().phase() == mission::Phase::kSearch;
+  };
   while (robot.mission().outcome() == sensor::MissionOutcome::kRunning && !in_position() &&
-         robot.time_s() < longest_s) {
+         !is_elsewhere() && robot.time_s() < longest_s) {
     robot.Turn();
     watch.See(robot);
   }
@@ -114,6 +127,8 @@ Result<NavigationOutcome> RunNavigationTrial(const LockstepSettings& settings,
   outcome.end = EndOf(robot.mission(), in_position());
   outcome.why = robot.mission().State().text;
   outcome.end_s = robot.time_s();
+  if (destination_W_m) outcome.left_m = left_m();
+  if (is_elsewhere() && !in_position()) outcome.why = "at the destination, as it believes";
   return outcome;
 }
 

@@ -25,7 +25,8 @@ std::optional<SensorQuality> SensorQualityFromString(std::string_view name);
 LockstepSettings ForNavigation(LockstepSettings settings, SensorQuality quality);
 
 enum class NavigationEnd {
-  kReached,      // the robot stands where it is to look at the geon, or named it from elsewhere
+  kReached,  // the robot stands where it is to look at the geon, or named it from elsewhere; with
+             // a destination: it is there
   kUnreachable,  // the mission says that no way leads there
   kNoneFound,    // the mission says that there is none where it can look
   kTrapped,      // anything else: out of time, or another reason to give up
@@ -37,11 +38,13 @@ struct NavigationOutcome {
   NavigationEnd end = NavigationEnd::kTrapped;
   std::string why;  // in the mission's words
   double end_s = 0.0;
+  std::optional<double> left_m;  // with a destination: how far from it the robot ended
   RunTrack track;
 };
 
-// One mission up to the place from which the geon would be scanned, or to its end: the mission and
-// the base's bytes as everywhere, pictures by glances. Errors: a mesh that cannot be used.
+// One mission up to the place from which the geon would be scanned, up to its destination where
+// MissionOptions has one (within 25 cm of the true place), or to its end: the mission and the
+// base's bytes as everywhere, pictures by glances. Errors: a mesh that cannot be used.
 Result<NavigationOutcome> RunNavigationTrial(const LockstepSettings& settings,
                                              const sim::World& world, uint64_t seed,
                                              double longest_s);

@@ -10,6 +10,7 @@ namespace geon::lockstep {
 void RunWatch::See(const LockstepRobot& robot) {
   const mission::Mission& mission = robot.mission();
   const bool sighted = mission.phase() != mission::Phase::kWait &&
+                       mission.phase() != mission::Phase::kTravel &&
                        mission.phase() != mission::Phase::kSearch &&
                        mission.outcome() == sensor::MissionOutcome::kRunning;
   See(robot.time_s(), sighted, robot.truth());

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <sstream>
 
 #include "base/angles.h"
 #include "config/bus_config.h"
@@ -102,6 +103,11 @@ void ReadPlannerSection(config::YamlSection section, const std::filesystem::path
   ReadDriving(section.Child("driving"), &options->driving);
   ReadLooking(section.Child("looking"), &options->looking);
   ReadPatience(section.Child("patience"), &options->patience);
+  if (section.Has("destination_m")) {
+    Eigen::Vector2d destination_m = Eigen::Vector2d::Zero();
+    section.ReadNumbers("destination_m", 2, destination_m.data());
+    options->destination_W_m = destination_m;
+  }
   section.ReadOptional("inventory", &options->inventory);
   int seed = 1;
   section.Read("seed", &seed);
@@ -111,7 +117,27 @@ void ReadPlannerSection(config::YamlSection section, const std::filesystem::path
   if (!options->IsValid(&rule)) section.Fail(rule);
 }
 
-Result<PlannerConfig> LoadPlannerConfig(const config::DaemonArguments& arguments) {
+namespace {
+
+Status SendTo(const std::string& place, mission::MissionOptions* options) {
+  const auto wrong = [&](const std::string& rule) {
+    return Status::Error("--to " + place + ": " + rule);
+  };
+  std::istringstream text(place);
+  Eigen::Vector2d place_m;
+  char comma = 0;
+  if (!(text >> place_m.x() >> comma >> place_m.y()) || comma != ',' || text.peek() != EOF) {
+    return wrong("must be two numbers with a comma between them, X,Y in metres");
+  }
+  options->destination_W_m = place_m;
+  std::string rule;
+  return options->IsValid(&rule) ? Status::Ok() : wrong(rule);
+}
+
+}  // namespace
+
+Result<PlannerConfig> LoadPlannerConfig(const config::DaemonArguments& arguments,
+                                        const std::string& to) {
   Result<config::YamlDocument> document =
       config::LoadRobotFile(arguments.config_file, {"planner", "rig", "bus"});
   if (!document.ok()) return document.status();
@@ -123,6 +149,8 @@ Result<PlannerConfig> LoadPlannerConfig(const config::DaemonArguments& arguments
   config.rig_source = rig.source;
   ReadPlannerSection(document->root().Child("planner"), arguments.config_file, &config.mission);
   if (Status status = document->Finish(); !status.ok()) return status;
+  if (to.empty()) return config;
+  if (Status status = SendTo(to, &config.mission); !status.ok()) return status;
   return config;
 }
 

@@ -22,7 +22,9 @@ struct PlannerConfig {
 void ReadPlannerSection(config::YamlSection section, const std::filesystem::path& robot_file,
                         mission::MissionOptions* options);
 
-// Reads `planner:`, `rig:` and `bus:` of the robot file.
-Result<PlannerConfig> LoadPlannerConfig(const config::DaemonArguments& arguments);
+// Reads `planner:`, `rig:` and `bus:` of the robot file. `to` is what --to says, "X,Y" in metres in
+// place of the file's destination; empty: the file's.
+Result<PlannerConfig> LoadPlannerConfig(const config::DaemonArguments& arguments,
+                                        const std::string& to = "");
 
 }  // namespace geon::planner

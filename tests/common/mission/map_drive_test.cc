@@ -205,6 +205,36 @@ TEST(MapDriveTest, ToAPlaceItDrivesOntoIt) {
   }
 }
 
+TEST(MapDriveTest, OnADestinationItInsistsAsOnATarget) {
+  Trip trip = Trip::ToDestination({3.0, 0.0});
+  for (const double side : {-1.0, 1.0}) {  // the robot is closed in
+    trip.AddBlock({0.0, side * 0.8}, {0.84, 0.04});
+    trip.AddBlock({side * 0.8, 0.0}, {0.04, 0.84});
+  }
+  trip.RunUntil([] { return false; }, 120.0);
+  ASSERT_TRUE(trip.answer.unreachable.has_value()) << trip.answer.text;
+  EXPECT_NE(trip.answer.unreachable->find("every way to the place"), std::string::npos)
+      << *trip.answer.unreachable;
+  ASSERT_FALSE(trip.Tried().empty());
+  EXPECT_NE(trip.Tried().back().find("stepping back"), std::string::npos);
+}
+
+TEST(MapDriveTest, WhereAGapIsTooTightItTakesAWiderOne) {
+  // Gaps that the map shows as open, but the safe polygon does not let the robot pass.
+  for (const auto& [off_m, half_m] : {std::pair(0.0, 0.315), {0.1, 0.31}, {0.2, 0.3}}) {
+    SCOPED_TRACE(off_m);
+    Trip trip = Trip::ToDestination({3.2, 0.0});
+    const double x_m = 1.5, before_m = x_m - 0.5 * off_m, behind_m = x_m + 0.5 * off_m;
+    trip.AddBlock({before_m, -half_m - 2.0}, {0.02, 2.0});
+    trip.AddBlock({behind_m, half_m + 0.5}, {0.02, 0.5});
+    trip.AddBlock({behind_m, half_m + 3.0}, {0.02, 1.0});  // beside the wider one
+    trip.Run(60.0, 0.1);
+    EXPECT_LE(trip.Distance_m(), 0.1) << trip.answer.text << trip.answer.unreachable.value_or("");
+    EXPECT_GE(trip.nearest_m(), kBody_m);
+    EXPECT_FALSE(trip.Tried().empty()) << "else the gap was wide enough to begin with";
+  }
+}
+
 TEST(MapDriveTest, RoundATargetItDrivesToTheSideThatIsAskedFor) {
   for (const double side_rad : {1.6, -1.6, 0.0, 2.6}) {
     SCOPED_TRACE(side_rad);

@@ -32,6 +32,11 @@ TEST(MissionOptionsTest, StateTheRuleThatIsBroken) {
               HasSubstr("positive"));
   EXPECT_THAT(RuleBrokenBy([](auto* o) { o->looking.sweep.pan_min_rad = 2.0; }),
               HasSubstr("sweep"));
+  EXPECT_THAT(RuleBrokenBy([](auto* o) { o->destination_W_m = Eigen::Vector2d(0.0, -11.5); }),
+              HasSubstr("destination must lie within 11"));
+  EXPECT_THAT(
+      RuleBrokenBy([](auto* o) { o->destination_W_m = Eigen::Vector2d(std::nan(""), 0.0); }),
+      HasSubstr("destination"));
 }
 
 }  // namespace

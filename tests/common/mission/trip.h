@@ -52,6 +52,10 @@ class Trip {
   explicit Trip(const Eigen::Vector2d& target_W_m) : Trip(target_W_m, Way::kToward, 0.0) {}
   // To a place on the floor, where nothing stands.
   static Trip ToPlace(const Eigen::Vector2d& place_W_m) { return {place_W_m, Way::kTo, 0.0}; }
+  // The same, sent there.
+  static Trip ToDestination(const Eigen::Vector2d& place_W_m) {
+    return {place_W_m, Way::kSent, 0.0};
+  }
   // Round a target to this side of it.
   static Trip RoundTarget(const Eigen::Vector2d& target_W_m, double side_rad) {
     return {target_W_m, Way::kRound, side_rad};
@@ -122,10 +126,10 @@ class Trip {
   double fastest_in_image_m_s = 0.0;  // onto a lamp's image
 
  private:
-  enum class Way { kToward, kRound, kTo };
+  enum class Way { kToward, kRound, kTo, kSent };
   Trip(const Eigen::Vector2d& goal_W_m, Way way, double side_rad)
       : target_W_m_(goal_W_m), way_(way), side_rad_(side_rad) {
-    if (way != Way::kTo) AddBlock(goal_W_m, {0.1, 0.1});
+    if (way == Way::kToward || way == Way::kRound) AddBlock(goal_W_m, {0.1, 0.1});
   }
   MapDrive::Answer Drive() {
     switch (way_) {
@@ -133,6 +137,8 @@ class Trip {
         return drive.Round(now_s_, target_W_m_, kStop_m, side_rad_, &senses);
       case Way::kTo:
         return drive.To(now_s_, target_W_m_, &senses);
+      case Way::kSent:
+        return drive.ToDestination(now_s_, target_W_m_, &senses);
       case Way::kToward:
         break;
     }

@@ -117,6 +117,21 @@ TEST(OccupancyGridTest, AnEchoIsAnObstacleOnItsSensorsAxis) {
   EXPECT_EQ(CountObstacles(grid), 1u);
 }
 
+TEST(OccupancyGridTest, AnEchoThatSomethingSeenBesideTheAxisExplainsIsNoOther) {
+  // At 1 m the arc reaches 22 cm to either side.
+  const auto is_added = [](const Vector2d& seen_W_m) {
+    OccupancyGrid grid({});
+    grid.SeeFloor(0.0, kStart, std::vector<FloorColumn>{{0.4 * seen_W_m, seen_W_m, true}});
+    grid.Hear(0.0, Heard(ReadingFor(1.0)), {});
+    return IsObstacle(grid, {1.0, 0.01});
+  };
+  EXPECT_FALSE(is_added({0.98, 0.16}));
+  EXPECT_FALSE(is_added({0.98, -0.16}));
+  EXPECT_TRUE(is_added({0.93, 0.4})) << "off the arc";
+  EXPECT_TRUE(is_added({1.25, 0.2})) << "behind it";
+  EXPECT_TRUE(is_added({0.75, 0.1})) << "before it";
+}
+
 TEST(OccupancyGridTest, AFarEchoIsNoObstacle) {
   OccupancyGrid grid({});
   grid.Hear(0.0, Heard(RingOptions().sonar_max_m + 0.01), {});

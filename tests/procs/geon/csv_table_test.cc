@@ -13,6 +13,11 @@ TEST(ParseCsv, FindsFieldsByColumn) {
   EXPECT_EQ(table.At(0, "weight"), "");
 }
 
+TEST(ParseCsv, RowsKnowTheirLines) {
+  const CsvTable table = ParseCsv("name,why\n\na,b\nc,\"d\nd\"\r\n\ne,f\n");
+  EXPECT_EQ(table.lines, (std::vector<int>{3, 4, 7}));
+}
+
 TEST(ParseCsv, QuotedFieldsHoldCommasQuotesAndLines) {
   const CsvTable table = ParseCsv("name,why,label\na,\"thin, \"\"open\"\"\nabove\",cylinder\n");
   ASSERT_EQ(table.rows.size(), 1U);

@@ -73,6 +73,47 @@ TEST(NavigationRecordTest, NoneFoundIsRightWhereThereIsNone) {
   EXPECT_THAT(NavigationPage(record), HasSubstr("1 of 2 runs"));
 }
 
+// Two courses: one done in 20 s, 10 m of 10.2 driven and 0.2 left; one not done.
+NavigationRecord Courses() {
+  NavigationRecord record =
+      Record({Trial(0, "dev", NavigationEnd::kReached), Trial(1, "dev", NavigationEnd::kTrapped)});
+  for (NavigationTrialRecord& trial : record.trials) {
+    trial.first_sight_s.reset();
+    trial.end_s = 20.0;
+    trial.path_m = 10.0;
+    trial.course = CourseRecord{"world <3", 10.2, 5.0, 0.2};
+  }
+  return record;
+}
+
+TEST(NavigationRecordTest, CoursesAreMeasuredByTheShortestWayAndByBarnsMetric) {
+  const NavigationRecord record = Courses();
+  const NavigationSummary summary = Summarize(record);
+  EXPECT_NEAR(summary.length_ratio_1.value(), 1.0, 1e-12) << "of the one that arrived";
+  EXPECT_NEAR(summary.barn_score_1.value(), 0.5 * 5.0 / 20.0, 1e-12) << "of both";
+  EXPECT_EQ(summary.times_s, std::vector<double>{20.0}) << "from the start";
+  NavigationTrialRecord trial = record.trials[0];
+  trial.end_s = 4.0;
+  EXPECT_NEAR(trial.barn_score_1(), 0.5, 1e-12) << "no faster than twice the optimum";
+  trial.end_s = 400.0;
+  EXPECT_NEAR(trial.barn_score_1(), 0.125, 1e-12);
+  EXPECT_FALSE(Summarize(Mixed()).barn_score_1.has_value());
+}
+
+TEST(NavigationRecordTest, CoursesAreInResultsTablesAndPage) {
+  const std::string text = NavigationRecordText(Courses());
+  const auto json = nlohmann::json::parse(text);
+  EXPECT_EQ(json.at("trials")[0].at("course").at("id"), "world <3");
+  EXPECT_NEAR(json.at("rates").at("length_ratio_1").get<double>(), 1.0, 1e-12);
+  const auto read = ParseNavigationRecord(json, "results.json");
+  ASSERT_TRUE(read.ok()) << read.message();
+  EXPECT_EQ(NavigationRecordText(*read), text);
+  EXPECT_THAT(NavigationTables(*read), HasSubstr("from the start to the destination"));
+  EXPECT_THAT(NavigationTables(*read), HasSubstr("1.000"));
+  EXPECT_THAT(NavigationPage(*read), HasSubstr("world &lt;3"));
+  EXPECT_THAT(NavigationPage(Mixed()), testing::Not(HasSubstr("Courses")));
+}
+
 TEST(NavigationRecordTest, WhatIsWrittenIsReadBack) {
   const std::string text = NavigationRecordText(Mixed());
   const auto read = ParseNavigationRecord(nlohmann::json::parse(text), "results.json");

@@ -61,6 +61,36 @@ TEST_F(NavigationTrialTest, WithPerfectOrWithDegradedSensorsItIsReachedToo) {
   }
 }
 
+TEST_F(NavigationTrialTest, WithADestinationTheRunEndsThere) {
+  sim::World world;
+  world.pen_size_m = {3.0, 6.0};
+  world.robot_x_m = 1.0;
+  world.robot_y_m = 1.0;
+  world.robot_heading_rad = M_PI / 2.0;
+  for (const double x_m : {0.9, 1.1, 1.3}) {
+    sim::WorldObject object;
+    object.shape = sim::CylinderShape{0.1, 0.65};
+    object.x_m = x_m;
+    object.y_m = 3.0;
+    world.objects.push_back(object);
+  }
+  for (const SensorQuality quality : {SensorQuality::kPerfect, SensorQuality::kReal}) {
+    SCOPED_TRACE(ToString(quality));
+    LockstepSettings settings = Settings(quality, mission::PlannerKind::kMap);
+    settings.mission.destination_W_m = Eigen::Vector2d(4.0, 0.0);  // the way up the pen
+    const auto outcome = RunNavigationTrial(settings, world, 1, 120.0);
+    ASSERT_TRUE(outcome.ok()) << outcome.message();
+    EXPECT_EQ(outcome->end, NavigationEnd::kReached) << outcome->why;
+    EXPECT_LT(outcome->left_m.value(), 0.25);
+    EXPECT_GT(outcome->track.path_m + *outcome->left_m, 4.0);
+    EXPECT_LT(outcome->track.path_m, 5.5);
+    EXPECT_EQ(outcome->track.contacts, 0);
+    EXPECT_FALSE(outcome->track.first_sight_s.has_value());
+    settings.mission.destination_W_m = Eigen::Vector2d(4.0, 3.0);  // beyond the boards
+    EXPECT_EQ(RunNavigationTrial(settings, world, 1, 200.0)->end, NavigationEnd::kUnreachable);
+  }
+}
+
 TEST_F(NavigationTrialTest, FramesThatNeverArriveShowNothingByGlancesEither) {
   LockstepSettings settings = Settings(SensorQuality::kReal, mission::PlannerKind::kMap);
   const sim::World pen = sim::RandomPen(5, sim::PenKind::kBoxes);

@@ -65,6 +65,36 @@ TEST(PlannerConfigTest, InventoryAndViewsAreReadAndMayBeLeftOut) {
   EXPECT_THAT(ReadWith("views: 3 ", "views: 0 ", &options).message(), HasSubstr("views"));
 }
 
+TEST(PlannerConfigTest, ADestinationMayBeGiven) {
+  mission::MissionOptions options;
+  ASSERT_TRUE(ReadWith("seed: 1", "seed: 2", &options).ok());
+  EXPECT_FALSE(options.destination_W_m.has_value());
+  const Status status = ReadWith("seed: 1", "destination_m: [4.5, -1.0]\n  seed: 1", &options);
+  ASSERT_TRUE(status.ok()) << status.message();
+  EXPECT_EQ(options.destination_W_m, Eigen::Vector2d(4.5, -1.0));
+  options = {};
+  EXPECT_THAT(ReadWith("seed: 1", "destination_m: [4.5]\n  seed: 1", &options).message(),
+              HasSubstr("destination_m"));
+  options = {};
+  EXPECT_THAT(ReadWith("seed: 1", "destination_m: [0, 40]\n  seed: 1", &options).message(),
+              HasSubstr("must lie within"));
+}
+
+TEST(PlannerConfigTest, ToTakesThePlaceOfTheFilesDestination) {
+  const auto sent = [](const std::string& to) {
+    config::DaemonArguments arguments("geon-planner", "", "");
+    arguments.config_file = kRobotFile;
+    return LoadPlannerConfig(arguments, to);
+  };
+  EXPECT_FALSE(sent("")->mission.destination_W_m.has_value());
+  EXPECT_EQ(sent("-1.5,2")->mission.destination_W_m, Eigen::Vector2d(-1.5, 2.0));
+  for (const std::string wrong : {"2", "2;3", "2,3m", "2,", "a,b"}) {
+    EXPECT_THAT(sent(wrong).status().message(),
+                testing::AllOf(HasSubstr("--to " + wrong), HasSubstr("X,Y")));
+  }
+  EXPECT_THAT(sent("30,0").status().message(), HasSubstr("must lie within"));
+}
+
 TEST(PlannerConfigTest, ADeadPlannersRobotStandsInTime) {
   mission::MissionOptions options;
   ASSERT_TRUE(ReadWith("seed: 1", "seed: 2", &options).ok());
