@@ -42,19 +42,26 @@ navigation::CostToGoOptions Wide(const DrivingOptions& options) {
   return wide;
 }
 
+// What keeps clear of obstacles even when odometry drifted since they were seen.
+navigation::SafePolygonOptions Roomy(navigation::SafePolygonOptions polygon) {
+  constexpr double kDrift_m = 0.03;
+  polygon.clearance_m += kDrift_m;
+  return polygon;
+}
+
 }  // namespace
 
 MapDrive::MapDrive(const MissionOptions& options)
     : options_(options.driving),
-      easy_cost_(options.driving.cost_to_go),
       wide_cost_(Wide(options.driving)),
+      easy_cost_(options.driving.cost_to_go),
       tight_cost_(Tight(options.driving)) {}
 
 void MapDrive::Rest() {
   follower_.Rest();
   polygon_R_ = {};
   mapped_W_m_.reset();
-  started_ = recovering_ = wide_ = false;
+  started_ = recovering_ = false;
   recovery_ = Recovery::kNone;
 }
 
@@ -69,7 +76,7 @@ MapDrive::Answer MapDrive::Drive(double now_s, const Goal& goal, Senses* senses)
   std::copy_if(senses->obstacles_R_m().begin(), senses->obstacles_R_m().end(),
                std::back_inserter(bending_R_m_),
                [&](const auto& p_m) { return (p_m - goal_R_m).norm() >= own_m_; });
-  polygon_R_ = navigation::SafePolygon(bending_R_m_, options_.map_polygon);
+  polygon_R_ = navigation::SafePolygon(bending_R_m_, Roomy(options_.map_polygon));
   if (recovering_) {
     if (auto answer = Recover(now_s, senses)) return *std::move(answer);
   }
@@ -78,7 +85,11 @@ MapDrive::Answer MapDrive::Drive(double now_s, const Goal& goal, Senses* senses)
   }
   const navigation::OccupancyGrid& map = *senses->map();
   const double cost_m = cost_->At(map.CellAt(X_WR.translation().head<2>()));
-  const auto waypoint_R_m = navigation::WaypointByCost(polygon_R_, X_WR, map, *cost_);
+  auto waypoint_R_m = navigation::WaypointByCost(polygon_R_, X_WR, map, *cost_);
+  if (!waypoint_R_m) {
+    polygon_R_ = navigation::SafePolygon(bending_R_m_, options_.map_polygon);
+    waypoint_R_m = navigation::WaypointByCost(polygon_R_, X_WR, map, *cost_);
+  }
   if (!Progresses(now_s, cost_m)) {
     StartRecovery(now_s, *senses);
     return Recover(now_s, senses).value_or(Answer{});
@@ -93,26 +104,39 @@ MapDrive::Answer MapDrive::Drive(double now_s, const Goal& goal, Senses* senses)
           {}};
 }
 
+// Whether a picture showed the ground there.
+bool MapDrive::IsKnown(const Eigen::Vector2d& p_R_m, const Senses& senses) const {
+  // The camera sees no ground nearer than this, and what stands there reaches farther out.
+  constexpr double kNearest_m = 0.375;
+  const auto is_seen = [&](const Eigen::Vector2d& p_m) {
+    const navigation::OccupancyGrid& map = *senses.map();
+    return map.IsSeen(map.CellAt(geometry::OnGround(senses.X_WR(), p_m)));
+  };
+  const double distance_m = p_R_m.norm();
+  return is_seen(p_R_m) || (distance_m < kNearest_m && is_seen(p_R_m * (kNearest_m / distance_m)));
+}
+
+bool MapDrive::IsUnknownAhead(const Senses& senses) const {
+  constexpr double kAhead_m = 0.15;
+  constexpr double kBeside_m = 0.06;
+  const double radius_m = options_.velocity.body_radius_m;
+  const double cell_m = senses.map()->cell_m();
+  for (double y_m = -radius_m - kBeside_m; y_m <= radius_m + kBeside_m; y_m += cell_m) {
+    const double rim_m = std::sqrt(std::max(0.0, radius_m * radius_m - y_m * y_m));
+    for (double x_m = rim_m + cell_m; x_m <= rim_m + kAhead_m; x_m += cell_m) {
+      if (!IsKnown({x_m, y_m}, senses)) return true;
+    }
+  }
+  return false;
+}
+
 navigation::DriveVelocity MapDrive::Careful(navigation::DriveVelocity velocity,
                                             const Senses& senses) const {
   constexpr double kSlow_m_s = 0.1;
-  constexpr double kAhead_m = 0.15;
   if (velocity.speed_m_s <= kSlow_m_s) return velocity;
-  if (recovery_ >= Recovery::kForget) {  // what stands round here may have been forgotten
-    velocity.speed_m_s = kSlow_m_s;
-    return velocity;
-  }
-  const navigation::OccupancyGrid& map = *senses.map();
-  const geometry::RigidTransform X_WR = senses.X_WR();
-  const double radius_m = options_.velocity.body_radius_m;
-  for (double y_m = -radius_m; y_m <= radius_m; y_m += map.cell_m()) {
-    const double rim_m = std::sqrt(std::max(0.0, radius_m * radius_m - y_m * y_m));
-    for (double x_m = rim_m + map.cell_m(); x_m <= rim_m + kAhead_m; x_m += map.cell_m()) {
-      if (map.IsSeen(map.CellAt(geometry::OnGround(X_WR, {x_m, y_m})))) continue;
-      velocity.speed_m_s = kSlow_m_s;
-      return velocity;
-    }
-  }
+  // What stands round here may have been forgotten.
+  const bool forgot = recovery_ >= Recovery::kForget;
+  if (forgot || IsUnknownAhead(senses)) velocity.speed_m_s = kSlow_m_s;
   return velocity;
 }
 
@@ -140,11 +164,9 @@ void MapDrive::Map(double now_s, const Senses& senses) {
     return (p_W_m - goal_.p_W_m).norm() < own_m_;
   });
   const auto goals = GoalCells(map);
-  if (wide_) {
-    wide_cost_.Compute(map, clearance_, goals);
-    cost_ = &wide_cost_;
-    if (std::isfinite(wide_cost_.At(here))) return;
-  }
+  wide_cost_.Compute(map, clearance_, goals);
+  cost_ = &wide_cost_;
+  if (std::isfinite(wide_cost_.At(here))) return;
   easy_cost_.Compute(map, clearance_, goals);
   cost_ = &easy_cost_;
   if (std::isfinite(easy_cost_.At(here))) return;
@@ -189,10 +211,6 @@ std::optional<MapDrive::Answer> MapDrive::Recover(double now_s, Senses* senses) 
       return Answer{{}, "no nearer: listening to all sonars again", {}};
     case Recovery::kForget:
       senses->ForgetDoubtfulObstacles();
-      if (std::isfinite(recovered_cost_m_) && !wide_) {
-        wide_ = true;
-        mapped_W_m_.reset();
-      }
       return end();
     case Recovery::kDoubtBright:
       if (senses->DoubtBrightObstacles(now_s)) return end();

@@ -17,10 +17,11 @@ namespace geon::mission {
 
 // The planner `map`: drives to where a target can be looked at, by what the map of obstacles says
 // it costs from everywhere (cost_to_go.h), one straight move within the safe polygon after another
-// (thesis 4.3). It notices when it comes no nearer and then tries, in this order: hear the whole
-// sonar ring anew, forget what may have been a mistake (and prefer wider gaps from then on), doubt
-// what may be a lamp's image in the floor (the speed on ground that no picture showed is low), look
-// all round, step back. What none of these opens is unreachable, and why is told.
+// (thesis 4.3). Ways and polygons with room for the drift of odometry are taken where there are
+// any, then tighter ones; on ground that no picture showed the robot is slow. It notices when it
+// comes no nearer and then tries, in this order: hear the whole sonar ring anew, forget what may
+// have been a mistake, doubt what may be a lamp's image in the floor, look all round, step back.
+// What none of these opens is unreachable, and why is told.
 class MapDrive {
  public:
   explicit MapDrive(const MissionOptions& options);
@@ -76,6 +77,8 @@ class MapDrive {
   // Slow where the body comes upon ground that no picture showed, and where obstacles were
   // forgotten.
   navigation::DriveVelocity Careful(navigation::DriveVelocity velocity, const Senses& senses) const;
+  bool IsUnknownAhead(const Senses& senses) const;
+  bool IsKnown(const Eigen::Vector2d& p_R_m, const Senses& senses) const;
   // Whether the cost from here fell lately; else something must be tried.
   bool Progresses(double now_s, double cost_m);
 
@@ -86,9 +89,8 @@ class MapDrive {
   double own_m_ = 0.0;
   std::vector<Eigen::Vector2d> bending_R_m_;
   navigation::ClearanceField clearance_;
-  // To the target: along ways of the clearance that is kept, along wider ones, and along tighter.
-  navigation::CostToGo easy_cost_, wide_cost_, tight_cost_;
-  bool wide_ = false;  // wider ones are preferred: the robot did not get through a gap
+  // To the target: along ways with room to spare, of the clearance that is kept, and tighter ones.
+  navigation::CostToGo wide_cost_, easy_cost_, tight_cost_;
   const navigation::CostToGo* cost_ = &easy_cost_;  // in use
   std::optional<Eigen::Vector2d> mapped_W_m_;       // the goal that cost_ leads to
   int64_t mapped_revision_ = -1;

@@ -66,7 +66,10 @@ Transition SearchPhase::Step(Context* context) {
     if (const auto aim = AimAt(*context, gaze_W_m.head<2>(), gaze_W_m.z())) {
       context->head.Point(*aim);
     }
-    return Next{Phase::kCentre, "the head camera sees the target's colour"};
+    context->target.See(*head);
+    const bool by_map = context->options.driving.planner == PlannerKind::kMap;
+    return Next{by_map && context->target.known() ? Phase::kApproach : Phase::kCentre,
+                "the head camera sees the target's colour"};
   }
   const auto& floor = context->senses.floor();
   if (floor) {

@@ -47,6 +47,10 @@ double StoppingSpeed(double distance_m, const VelocityLawOptions& options) {
   return std::min(v_m_s, options.max_speed_m_s);
 }
 
+double ArrivingSpeed(double distance_m, const VelocityLawOptions& options) {
+  return std::sqrt(2.0 * options.acceleration_m_s2 * std::max(0.0, distance_m));
+}
+
 DriveVelocity TurnTo(double bearing_rad, const VelocityLawOptions& options) {
   const double limit_rad_s = options.max_turn_rate_rad_s;
   return {0.0, std::clamp(options.turn_gain_1_s * bearing_rad, -limit_rad_s, limit_rad_s)};
@@ -68,7 +72,7 @@ DriveVelocity DriveTo(const Eigen::Vector2d& waypoint_R_m,
   const double ahead_m = FreeTravel(obstacles_R_m, 1.0, options);
   const double gentle_m_s = std::max(0.0, previous_speed_m_s) + options.acceleration_m_s2 * step_s;
   velocity.speed_m_s = std::min({alignment * options.max_speed_m_s, StoppingSpeed(ahead_m, options),
-                                 StoppingSpeed(waypoint_R_m.norm(), options), gentle_m_s});
+                                 ArrivingSpeed(waypoint_R_m.norm(), options), gentle_m_s});
   return velocity;
 }
 

@@ -9,11 +9,11 @@ namespace geon::navigation {
 struct VelocityLawOptions {
   double max_speed_m_s = 0.5;          // thesis section 3.4: 50 cm/s
   double max_turn_rate_rad_s = 1.047;  // 60 degrees/s
-  double acceleration_m_s2 = 0.3;      // speeding up
+  double acceleration_m_s2 = 0.6;      // speeding up
   double deceleration_m_s2 = 0.4;      // counted on for stopping; the base brakes harder
   double reaction_s = 0.35;            // from a sensor's reading to the base's answer
   double turn_gain_1_s = 2.0;          // turn rate per radian off course
-  double drive_cone_rad = 0.35;        // farther off course than this: turn on the spot first
+  double drive_cone_rad = 0.60;        // farther off course than this: turn on the spot first
   double body_radius_m = 0.267;
   double side_margin_m = 0.02;   // added to the body when looking for obstacles ahead
   double front_margin_m = 0.06;  // left between body and obstacle when stopped
@@ -33,6 +33,10 @@ double FreeTravel(std::span<const Eigen::Vector2d> obstacles_R_m, double directi
 
 // The fastest speed from which the robot comes to rest within `distance_m`, reaction time included.
 double StoppingSpeed(double distance_m, const VelocityLawOptions& options);
+
+// The speed from which the robot comes to rest at a place `distance_m` away as gently as it
+// started. Nothing stands there, so that rolling on for the reaction time does no harm.
+double ArrivingSpeed(double distance_m, const VelocityLawOptions& options);
 
 // Turns toward the waypoint, then drives, never faster than allows to stop before the nearest
 // obstacle ahead and at the waypoint, and gently up from `previous_speed_m_s`, `step_s` ago. A

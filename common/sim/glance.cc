@@ -240,11 +240,15 @@ std::optional<GeonGlance> Glancer::OneGeon(int body, const BuiltCamera& camera,
                                            NoiseSource* noise) {
   constexpr size_t kPoints = 96;
   const auto& vertices_m = scene_->bodies()[static_cast<size_t>(body)].surface_W.vertices_m;
-  const size_t step = std::max<size_t>(1, vertices_m.size() / kPoints);
+  // Vertices run round and round the body: the golden ratio takes them from all over it.
+  constexpr double kGolden_1 = 0.6180339887498949;
   const geometry::RigidTransform X_CW = X_WC.inverse();
   std::vector<Eigen::Vector2d> pixels;
   directions_.clear();
-  for (size_t k = 0; k < vertices_m.size(); k += step) {
+  for (size_t n = 0; n < kPoints; ++n) {
+    const double share_1 = kGolden_1 * static_cast<double>(n);
+    const auto k = static_cast<size_t>((share_1 - std::floor(share_1)) *
+                                       static_cast<double>(vertices_m.size()));
     const Eigen::Vector3d p_C_m = X_CW * vertices_m[k];
     if (p_C_m.z() < 0.05) continue;
     if (!IsNearPicture(camera.ideal, camera.ideal.Project(p_C_m))) continue;
@@ -274,6 +278,7 @@ std::optional<GeonGlance> Glancer::OneGeon(int body, const BuiltCamera& camera,
   for (double* edge_px : {&glance.left_px, &glance.right_px, &glance.top_px, &glance.bottom_px}) {
     *edge_px += options_.edge_sigma_px * noise->Gaussian();
   }
+  if (glance.right_px < glance.left_px || glance.bottom_px < glance.top_px) return std::nullopt;
   glance.lowest_px.y() = glance.bottom_px;
   return glance;
 }

@@ -219,7 +219,7 @@ TEST(MapDriveTest, OnADestinationItInsistsAsOnATarget) {
   EXPECT_NE(trip.Tried().back().find("stepping back"), std::string::npos);
 }
 
-TEST(MapDriveTest, WhereAGapIsTooTightItTakesAWiderOne) {
+TEST(MapDriveTest, OfTwoGapsItTakesTheOneThatIsSureToStayOpen) {
   // Gaps that the map shows as open, but the safe polygon does not let the robot pass.
   for (const auto& [off_m, half_m] : {std::pair(0.0, 0.315), {0.1, 0.31}, {0.2, 0.3}}) {
     SCOPED_TRACE(off_m);
@@ -231,7 +231,7 @@ TEST(MapDriveTest, WhereAGapIsTooTightItTakesAWiderOne) {
     trip.Run(60.0, 0.1);
     EXPECT_LE(trip.Distance_m(), 0.1) << trip.answer.text << trip.answer.unreachable.value_or("");
     EXPECT_GE(trip.nearest_m(), kBody_m);
-    EXPECT_FALSE(trip.Tried().empty()) << "else the gap was wide enough to begin with";
+    EXPECT_TRUE(trip.Tried().empty()) << trip.Tried().front();
   }
 }
 

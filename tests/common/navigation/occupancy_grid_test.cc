@@ -15,7 +15,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kNothing_m = std::numeric_limits<double>::quiet_NaN();
-
 const geometry::RigidTransform kStart = geometry::PlanarPose(0.0, 0.0, 0.0);
 
 // One column straight ahead: floor from 0.35 m on.
@@ -391,8 +390,8 @@ TEST(OccupancyGridTest, AWindowHoldsAllThatIsKnownAndThePlacesWithTheirMargin) {
   const GridWindow whole = grid.WindowWith(places_m, 0.5);
   EXPECT_EQ(whole.first, grid.CellAt({-3.02, -0.81}));
   EXPECT_EQ(whole.last, grid.CellAt({1.72, 2.52}));
-  const GridWindow one =
-      OccupancyGrid{OccupancyGridOptions()}.WindowWith(std::vector<Vector2d>{{-2.0, 3.0}}, 0.0);
+  const OccupancyGrid blank{OccupancyGridOptions()};
+  const GridWindow one = blank.WindowWith(std::vector<Vector2d>{{-2.0, 3.0}}, 0.0);
   EXPECT_EQ(one.size(), 1U) << "the origin is not known of";
   EXPECT_THROW(grid.WindowWith({}, 1.0), ContractViolation);
 }

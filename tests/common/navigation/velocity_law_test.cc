@@ -45,6 +45,16 @@ TEST(VelocityLawTest, StoppingSpeedLeavesRoomForReactionAndBraking) {
   EXPECT_EQ(StoppingSpeed(100.0, options), options.max_speed_m_s);
 }
 
+TEST(VelocityLawTest, ArrivingSpeedBrakesAsGentlyAsItSpeedsUp) {
+  const VelocityLawOptions options;
+  for (const double distance_m : {0.01, 0.05, 0.2, 0.5}) {
+    const double v_m_s = ArrivingSpeed(distance_m, options);
+    EXPECT_NEAR(v_m_s * v_m_s / (2.0 * options.acceleration_m_s2), distance_m, 1e-12);
+    EXPECT_GT(v_m_s, StoppingSpeed(std::min(distance_m, 0.2), options));
+  }
+  EXPECT_EQ(ArrivingSpeed(-1.0, options), 0.0);
+}
+
 // A disc that obeys each command one reaction time late must never touch a point it knows of.
 TEST(VelocityLawTest, NeverTouchesAPointAheadDespiteTheDelay) {
   const VelocityLawOptions options;

@@ -187,6 +187,22 @@ TEST_F(GlancerTest, AGeonIsToldWhereItsMeshProjects) {
   ExpectBox(*by_floor, Projected(rig_.floor_camera, X_WF()), 2.0);
 }
 
+TEST_F(GlancerTest, NoiseNeverTurnsABoxInsideOut) {
+  world_.objects.push_back(Cylinder({5.0, 9.0}));  // seven metres off: few pixels wide
+  GlanceOptions noisy;
+  noisy.edge_sigma_px = 20.0;
+  int told = 0;
+  for (uint64_t seed = 1; seed <= 200; ++seed) {
+    const auto glance = Made(noisy, seed).GeonByFloorCamera(pose_, 1);
+    if (!glance) continue;
+    ++told;
+    EXPECT_LE(glance->left_px, glance->right_px);
+    EXPECT_LE(glance->top_px, glance->bottom_px);
+  }
+  EXPECT_GT(told, 0);
+  EXPECT_LT(told, 200) << "else the noise was too small to try anything";
+}
+
 TEST_F(GlancerTest, TheHeadMustLookThere) {
   world_.objects.push_back(Cylinder({5.0, 4.5}));
   pose_.pan_rad = 0.5;
