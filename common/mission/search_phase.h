@@ -13,7 +13,8 @@ namespace geon::mission {
 // next sector, and after a full turn wanders a little and looks about anew (4.3). A target that was
 // lost close by is first swept for there. Both cameras may find the target at any time.
 //
-// Ends with the head's sighting (centre it), or with two of the floor camera's (approach it).
+// Ends with the head's sighting (centre it; with `map`, approach it if its place is known), or with
+// two of the floor camera's (approach it).
 class SearchPhase {
  public:
   void Enter(Context* context, bool near);

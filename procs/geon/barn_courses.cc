@@ -15,7 +15,7 @@ namespace geon::cli {
 namespace {
 
 constexpr double kStart_m = 3.0;      // from the field's lower edge
-constexpr double kRoom_m = 1.5;       // beyond the ends of the course
+constexpr double kRoom_m = 1.5;       // beyond the goal, at least
 constexpr double kFastest_m_s = 2.0;  // of BARN's own robot
 
 // A file of the folder, and the first thing that is wrong with it.

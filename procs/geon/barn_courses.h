@@ -28,8 +28,8 @@ struct BarnCourse {
 //
 // worlds.csv: world, n_cylinders, straight_len_m, opt_path_len_m, len_nomad_r0267, split;
 // obstacles.csv: world, x_m, y_m, r_m; metres, further columns are left alone. The cylinders are as
-// high as the pen's boards, and these stand along the field's sides and 1.5 m beyond both ends of
-// the course. Errors name file and line: what is missing, is no number, or does not fit together.
+// high as the pen's boards, and these stand round the field, but at least 1.5 m beyond the goal.
+// Errors name file and line: what is missing, is no number, or does not fit together.
 Result<std::vector<BarnCourse>> LoadBarnCourses(const std::filesystem::path& folder);
 
 }  // namespace geon::cli

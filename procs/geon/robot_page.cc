@@ -20,7 +20,8 @@ constexpr const char* kRobotStyle = R"css(
 .failed article{display:grid;grid-template-columns:180px 1fr;gap:4px 16px;align-items:start;
 align-content:start}
 .failed h3,.failed p{grid-column:1/-1;margin:0}.failed p{font-size:14px;line-height:1.35}
-table.runs td{white-space:nowrap}table.runs td,table.runs th{padding:3px 6px;vertical-align:bottom}
+table.runs{font-size:13px}table.runs td{white-space:nowrap}
+table.runs td,table.runs th{padding:3px 4px;vertical-align:bottom}
 @media (max-width:760px){.film,.failed{grid-template-columns:1fr}}
 )css";
 
