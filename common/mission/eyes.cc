@@ -104,12 +104,13 @@ std::optional<HeadSighting> Eyes::LookHead(const PoseHistory& history) {
   return sighting;
 }
 
-std::optional<FloorSighting> Eyes::LookFloor(const PoseHistory& history, bool patch_is_free) {
+std::optional<FloorSighting> Eyes::LookFloor(const PoseHistory& history,
+                                             const std::optional<navigation::RingEchoes>& echoes) {
   if (!floor_image_ || !history.RobotKnownAfter(floor_image_->utime)) return std::nullopt;
   const sensor::Image image = *std::exchange(floor_image_, std::nullopt);
   const auto X_WR = history.RobotAt(image.utime);
   if (!X_WR) return std::nullopt;
-  if (!floor_seen_) return LookAtFloor(image, *X_WR, patch_is_free);
+  if (!floor_seen_) return LookAtFloor(image, *X_WR, echoes);
   FloorSighting sighting = *std::exchange(floor_seen_, std::nullopt);
   sighting.X_WR = *X_WR;
   sighting.seen = Allowed(std::move(sighting.seen), rig_.floor_camera, *X_WR * rig_.X_RF);
@@ -117,11 +118,11 @@ std::optional<FloorSighting> Eyes::LookFloor(const PoseHistory& history, bool pa
 }
 
 FloorSighting Eyes::LookAtFloor(const sensor::Image& image, const geometry::RigidTransform& X_WR,
-                                bool patch_is_free) {
+                                const std::optional<navigation::RingEchoes>& echoes) {
   const cv::Mat bgr = AsBgr(image);
-  if (options_.learn_floor && !floor_learned_ && patch_is_free) {
-    const auto learned = navigation::LearnFloor(bgr, rig_.floor_camera, rig_.X_RF,
-                                                options_.floor_model, options_.floor_obstacles);
+  if (options_.learn_floor && !floor_learned_ && echoes) {
+    const auto learned =
+        navigation::LearnFloor(bgr, rig_.floor_camera, rig_.X_RF, options_.floor_model, *echoes);
     floor_learned_ = learned.has_value();
     floor_model_ = learned.value_or(options_.floor_model);
   }

@@ -7,6 +7,7 @@
 #include "geometry/sensor_rig.h"
 #include "mission/mission_options.h"
 #include "mission/pose_history.h"
+#include "navigation/floor_model.h"
 #include "navigation/floor_obstacles.h"
 #include "sensor/image.h"
 
@@ -58,15 +59,16 @@ class Eyes {
 
   // The picture that waited, as soon as its pose is known; every picture is given once.
   std::optional<HeadSighting> LookHead(const PoseHistory& history);
-  // `patch_is_free`: nothing stands on the floor before the robot, so its colour may be learned.
-  std::optional<FloorSighting> LookFloor(const PoseHistory& history, bool patch_is_free);
+  // `echoes`: where they leave the ground free its colour may be learned; not without them.
+  std::optional<FloorSighting> LookFloor(const PoseHistory& history,
+                                         const std::optional<navigation::RingEchoes>& echoes);
 
   // Whether the floor's colour was learned from the room (else the configured one is in use).
   bool floor_learned() const { return floor_learned_; }
 
  private:
   FloorSighting LookAtFloor(const sensor::Image& image, const geometry::RigidTransform& X_WR,
-                            bool patch_is_free);
+                            const std::optional<navigation::RingEchoes>& echoes);
   // The target in a picture taken from X_WC, of those that the focus allows.
   attention::TargetSighting Find(const attention::TargetFinder& finder, const sensor::Image& image,
                                  const geometry::PinholeCamera& camera,

@@ -116,15 +116,26 @@ bool MapDrive::IsKnown(const Eigen::Vector2d& p_R_m, const Senses& senses) const
   return is_seen(p_R_m) || (distance_m < kNearest_m && is_seen(p_R_m * (kNearest_m / distance_m)));
 }
 
-bool MapDrive::IsUnknownAhead(const Senses& senses) const {
+// On the arc that the velocity leads along.
+bool MapDrive::IsUnknownAhead(const navigation::DriveVelocity& velocity,
+                              const Senses& senses) const {
   constexpr double kAhead_m = 0.15;
   constexpr double kBeside_m = 0.06;
+  constexpr double kMostBent_1_m = 1.5;
+  const double bent_1_m =
+      std::clamp(velocity.turn_rate_rad_s / velocity.speed_m_s, -kMostBent_1_m, kMostBent_1_m);
+  const auto on_arc = [&](double along_m, double beside_m) -> Eigen::Vector2d {
+    const double turn_rad = bent_1_m * along_m;
+    const double half = 0.5 * turn_rad;  // the chord's direction; the arc is short
+    return along_m * Eigen::Vector2d(std::cos(half), std::sin(half)) +
+           beside_m * Eigen::Vector2d(-std::sin(turn_rad), std::cos(turn_rad));
+  };
   const double radius_m = options_.velocity.body_radius_m;
   const double cell_m = senses.map()->cell_m();
   for (double y_m = -radius_m - kBeside_m; y_m <= radius_m + kBeside_m; y_m += cell_m) {
     const double rim_m = std::sqrt(std::max(0.0, radius_m * radius_m - y_m * y_m));
     for (double x_m = rim_m + cell_m; x_m <= rim_m + kAhead_m; x_m += cell_m) {
-      if (!IsKnown({x_m, y_m}, senses)) return true;
+      if (!IsKnown(on_arc(x_m, y_m), senses)) return true;
     }
   }
   return false;
@@ -136,7 +147,7 @@ navigation::DriveVelocity MapDrive::Careful(navigation::DriveVelocity velocity,
   if (velocity.speed_m_s <= kSlow_m_s) return velocity;
   // What stands round here may have been forgotten.
   const bool forgot = recovery_ >= Recovery::kForget;
-  if (forgot || IsUnknownAhead(senses)) velocity.speed_m_s = kSlow_m_s;
+  if (forgot || IsUnknownAhead(velocity, senses)) velocity.speed_m_s = kSlow_m_s;
   return velocity;
 }
 

@@ -77,7 +77,7 @@ class MapDrive {
   // Slow where the body comes upon ground that no picture showed, and where obstacles were
   // forgotten.
   navigation::DriveVelocity Careful(navigation::DriveVelocity velocity, const Senses& senses) const;
-  bool IsUnknownAhead(const Senses& senses) const;
+  bool IsUnknownAhead(const navigation::DriveVelocity& velocity, const Senses& senses) const;
   bool IsKnown(const Eigen::Vector2d& p_R_m, const Senses& senses) const;
   // Whether the cost from here fell lately; else something must be tried.
   bool Progresses(double now_s, double cost_m);

@@ -66,7 +66,7 @@ bool DrivingOptions::IsValid(std::string* error) const {
       return Fail(error, "clearance_m - slack_m must be greater than the robot's radius");
     }
   }
-  for (const auto& wrong : {map.Validate(), cost_to_go.Validate()}) {
+  for (const auto& wrong : {map.Validate(), localizer.Validate(), cost_to_go.Validate()}) {
     if (wrong) return Fail(error, *wrong);
   }
   return safe_polygon.IsValid(error) && map_polygon.IsValid(error) && velocity.IsValid(error) &&

@@ -13,7 +13,9 @@
 #include "attention/color_model.h"
 #include "attention/find_target.h"
 #include "navigation/cost_to_go.h"
+#include "navigation/floor_model.h"
 #include "navigation/floor_obstacles.h"
+#include "navigation/map_localizer.h"
 #include "navigation/next_view.h"
 #include "navigation/obstacle_memory.h"
 #include "navigation/occupancy_grid.h"
@@ -53,6 +55,7 @@ struct DrivingOptions {
   navigation::ObstacleMemoryOptions memory;  // of the planner `thesis`
   // Of the planner `map`: obstacles are known better, so that it may pass nearer to them.
   navigation::OccupancyGridOptions map;
+  navigation::MapLocalizerOptions localizer;
   navigation::CostToGoOptions cost_to_go;
   navigation::SafePolygonOptions map_polygon{0.31, 0.02, 2.0};
   double wander_s = 7.0;  // one leg of wandering

@@ -54,17 +54,18 @@ std::optional<geometry::RigidTransform> PoseHistory::RobotAt(int64_t utime) cons
   const auto after = FirstAt(base_, utime);
   if (after == base_.end()) {
     if (base_.empty() || utime - base_.back().utime > kExtrapolate_us) return std::nullopt;
-    return geometry::PlanarPose(base_.back().x_m, base_.back().y_m, base_.back().heading_rad);
+    return X_WO_ *
+           geometry::PlanarPose(base_.back().x_m, base_.back().y_m, base_.back().heading_rad);
   }
   if (after->utime == utime)
-    return geometry::PlanarPose(after->x_m, after->y_m, after->heading_rad);
+    return X_WO_ * geometry::PlanarPose(after->x_m, after->y_m, after->heading_rad);
   if (after == base_.begin()) return std::nullopt;
   const auto before = std::prev(after);
   const double share_1 = Share(before->utime, after->utime, utime);
   const double turn_rad = WrapAngle(after->heading_rad - before->heading_rad);
-  return geometry::PlanarPose(Between(before->x_m, after->x_m, share_1),
-                              Between(before->y_m, after->y_m, share_1),
-                              before->heading_rad + share_1 * turn_rad);
+  return X_WO_ * geometry::PlanarPose(Between(before->x_m, after->x_m, share_1),
+                                      Between(before->y_m, after->y_m, share_1),
+                                      before->heading_rad + share_1 * turn_rad);
 }
 
 bool PoseHistory::RobotKnownAfter(int64_t utime) const {

@@ -19,6 +19,9 @@ class PoseHistory {
   void Add(const sensor::BaseState& state);
   void Add(const sensor::PtuState& state);
 
+  // Where in the map odometry's origin is, for all states, those to come too; at first they agree.
+  void SetOdometryPose(const geometry::RigidTransform& X_WO) { X_WO_ = X_WO; }
+
   // X_WR, interpolated; the newest pose for instants up to 0.15 s after it. Nothing when the base
   // was not known then.
   std::optional<geometry::RigidTransform> RobotAt(int64_t utime) const;
@@ -37,6 +40,7 @@ class PoseHistory {
 
  private:
   static constexpr size_t kLength = 128;
+  geometry::RigidTransform X_WO_ = geometry::RigidTransform::Identity();
   std::deque<sensor::BaseState> base_;
   std::deque<sensor::PtuState> ptu_;
 };

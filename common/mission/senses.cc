@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/angles.h"
+#include "base/time.h"
 #include "navigation/ring_obstacles.h"
 
 namespace geon::mission {
@@ -13,40 +14,66 @@ namespace {
 // The robot does 0.5 m/s and states come ten times a second: more is not motion.
 constexpr double kJump_m = 0.5;
 constexpr double kSonarRound_s = 1.2;  // in which every sonar has fired
-constexpr double kMapReach_m = 2.8;    // obstacles of the map that matter to the next move
+constexpr double kAhead_m = 0.7;
+constexpr double kMapReach_m = 2.8;  // obstacles of the map that matter to the next move
+
+// What odometry says, state or sonar scan, with its pose taken from O to W.
+template <typename Posed>
+Posed InWorld(Posed posed, const geometry::RigidTransform& X_WO) {
+  const Eigen::Vector2d p_W_m = geometry::OnGround(X_WO, {posed.x_m, posed.y_m});
+  posed.x_m = p_W_m.x();
+  posed.y_m = p_W_m.y();
+  posed.heading_rad =
+      WrapAngle(posed.heading_rad + std::atan2(X_WO.linear()(1, 0), X_WO.linear()(0, 0)));
+  return posed;
+}
 
 }  // namespace
 
 Senses::Senses(const MissionOptions& options, const geometry::SensorRig& rig)
     : patience_(options.patience),
       rings_(options.driving.rings),
-      floor_options_(options.seeing.floor_obstacles),
+      p_RF_m_(rig.X_RF.translation()),
       body_radius_m_(options.driving.velocity.body_radius_m),
       eyes_(options.seeing, rig),
-      memory_(options.driving.memory) {
+      memory_(options.driving.memory),
+      localizer_(options.driving.localizer) {
   if (options.driving.planner == PlannerKind::kMap) map_.emplace(options.driving.map);
 }
 
 void Senses::Take(double now_s, const sensor::BaseState& state) {
   NoticeOdometryJump(state);
-  base_ = state;
+  odometry_ = state;
+  base_ = InWorld(state, localizer_.X_WO());
   base_at_s_ = now_s;
   history_.Add(state);
 }
 
 void Senses::NoticeOdometryJump(const sensor::BaseState& next) {
-  if (next.status != sensor::DeviceStatus::kReady || base_.status != sensor::DeviceStatus::kReady) {
+  if (next.status != sensor::DeviceStatus::kReady ||
+      odometry_.status != sensor::DeviceStatus::kReady) {
     return;
   }
-  if (std::hypot(next.x_m - base_.x_m, next.y_m - base_.y_m) < kJump_m) return;
+  if (std::hypot(next.x_m - odometry_.x_m, next.y_m - odometry_.y_m) < kJump_m) return;
   memory_.Clear();
   if (map_) map_->Clear();
+  localizer_.Reset();
+  history_.SetOdometryPose(localizer_.X_WO());
   ++odometry_epoch_;
 }
 
-void Senses::Take(double now_s, const sensor::SonarScan& scan) {
+void Senses::Localize(FloorSighting* floor) {
+  const geometry::RigidTransform X_OR = localizer_.X_WO().inverse() * floor->X_WR;
+  localizer_.See(X_OR, floor->columns, p_RF_m_, *map_);
+  floor->X_WR = localizer_.X_WO() * X_OR;
+  history_.SetOdometryPose(localizer_.X_WO());
+  base_ = InWorld(odometry_, localizer_.X_WO());
+}
+
+void Senses::Take(double now_s, const sensor::SonarScan& heard) {
+  const sensor::SonarScan scan = InWorld(heard, localizer_.X_WO());
   echoes_R_m_ = navigation::SonarObstacles(scan, rings_);
-  if (moved_s_ < 0.0 || base_.moving) moved_s_ = now_s;
+  if (!heard_s_) heard_s_ = now_s;
   if (map_) {
     map_->Hear(now_s, scan, rings_);
   } else {
@@ -68,13 +95,22 @@ void Senses::ForgetDoubtfulObstacles() {
 
 bool Senses::DoubtBrightObstacles(double now_s) { return map_ && map_->DoubtBright(now_s); }
 
-bool Senses::FloorPatchIsFree(double now_s) const {
-  return moved_s_ >= 0.0 && now_s - moved_s_ > kSonarRound_s &&
-         navigation::PatchIsFree(echoes_R_m_, floor_options_);
+std::optional<navigation::RingEchoes> Senses::Echoes(double now_s) const {
+  if (!heard_s_ || now_s - *heard_s_ <= kSonarRound_s || BaseLost(now_s)) return std::nullopt;
+  const auto X_WThen = history_.RobotAt(odometry_.utime - MicrosecondsFromSeconds(kSonarRound_s));
+  if (!X_WThen) return std::nullopt;
+  const geometry::RigidTransform X_ThenR = X_WThen->inverse() * X_WR();
+  navigation::RingEchoes echoes{echoes_R_m_, 0.0};
+  echoes.points_R_m.insert(echoes.points_R_m.end(), felt_R_m_.begin(), felt_R_m_.end());
+  // Of the middle of what is before the robot, where its colour is learned.
+  const Eigen::Vector2d ahead_m(kAhead_m, 0.0);
+  echoes.moved_m = (geometry::OnGround(X_ThenR, ahead_m) - ahead_m).norm();
+  return echoes;
 }
 
 void Senses::Take(double now_s, const sensor::InfraredScan& infrared) {
-  Feel(now_s, navigation::InfraredObstacles(infrared, rings_));
+  felt_R_m_ = navigation::InfraredObstacles(infrared, rings_);
+  Feel(now_s, felt_R_m_);
 }
 
 void Senses::Take(double now_s, const sensor::BumperState& bumpers) {
@@ -112,10 +148,13 @@ void Senses::TakeFloorImage(double now_s, sensor::Image image, std::optional<Flo
 
 void Senses::Look(double now_s) {
   head_ = eyes_.LookHead(history_);
-  floor_ = eyes_.LookFloor(history_, FloorPatchIsFree(now_s));
+  floor_ = eyes_.LookFloor(history_, Echoes(now_s));
   if (floor_) floor_looked_s_ = now_s;
   if (map_) {
-    if (floor_) map_->SeeFloor(now_s, floor_->X_WR, floor_->columns);
+    if (floor_) {
+      Localize(&*floor_);
+      map_->SeeFloor(now_s, floor_->X_WR, floor_->columns);
+    }
     map_->ObstaclesNear(X_WR().translation().head<2>(), kMapReach_m, &obstacles_R_m_);
     const geometry::RigidTransform X_RW = X_WR().inverse();
     for (Eigen::Vector2d& p_m : obstacles_R_m_) p_m = geometry::OnGround(X_RW, p_m);

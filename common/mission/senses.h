@@ -11,6 +11,7 @@
 #include "mission/eyes.h"
 #include "mission/mission_options.h"
 #include "mission/pose_history.h"
+#include "navigation/map_localizer.h"
 #include "navigation/obstacle_memory.h"
 #include "navigation/occupancy_grid.h"
 #include "sensor/base.h"
@@ -49,6 +50,7 @@ class Senses {
   const std::optional<FloorSighting>& floor() const { return floor_; }
 
   // States; meaningful while the matching *Lost() is false.
+  // The base's pose is in W: as odometry has it, corrected by the map.
   const sensor::BaseState& base() const { return base_; }
   const sensor::PtuState& ptu() const { return ptu_; }
   active_vision::HeadLimits head_limits() const;
@@ -73,9 +75,9 @@ class Senses {
   bool DoubtBrightObstacles(double now_s);
   // Seconds since a floor picture was last looked at: nobody drives on old pictures.
   double floor_age_s(double now_s) const { return now_s - floor_looked_s_; }
-  // The whole sonar ring was heard since the robot stands, and nothing of it before the robot: the
-  // floor camera may learn the floor's colour there.
-  bool FloorPatchIsFree(double now_s) const;
+  // What sonar and infrared heard of late; nothing before the whole sonar ring was heard, or
+  // without them.
+  std::optional<navigation::RingEchoes> Echoes(double now_s) const;
   bool floor_learned() const { return eyes_.floor_learned(); }
   // Grows when odometry started anew: places in W that were remembered before mean nothing.
   int odometry_epoch() const { return odometry_epoch_; }
@@ -85,18 +87,22 @@ class Senses {
   void Feel(double now_s, std::span<const Eigen::Vector2d> points_R_m);
   // What else was told before odometry jumped is forgotten.
   void NoticeOdometryJump(const sensor::BaseState& next);
+  // Corrects odometry, and where the picture was taken, by how a floor picture lies on the map.
+  void Localize(FloorSighting* floor);
 
   PatienceOptions patience_;
   navigation::RingOptions rings_;
-  navigation::FloorObstacleOptions floor_options_;
+  Eigen::Vector3d p_RF_m_;  // the floor camera
   double body_radius_m_;
   PoseHistory history_;
   Eyes eyes_;
   navigation::ObstacleMemory memory_;             // of the planner `thesis`
   std::optional<navigation::OccupancyGrid> map_;  // of the planner `map`
+  navigation::MapLocalizer localizer_;
   std::optional<HeadSighting> head_;
   std::optional<FloorSighting> floor_;
-  sensor::BaseState base_;
+  sensor::BaseState odometry_;  // as it came
+  sensor::BaseState base_;      // the same in W
   sensor::PtuState ptu_;
   sensor::BumperState bumpers_;
   double base_at_s_ = -1e9;
@@ -105,8 +111,9 @@ class Senses {
   double head_at_s_ = -1e9;
   double floor_at_s_ = -1e9;
   double floor_looked_s_ = -1e9;
-  double moved_s_ = -1e9;                    // last, or nothing heard yet
-  std::vector<Eigen::Vector2d> echoes_R_m_;  // of the newest sonar scan
+  std::optional<double> heard_s_;            // the first sonar scan
+  std::vector<Eigen::Vector2d> echoes_R_m_;  // of the newest one
+  std::vector<Eigen::Vector2d> felt_R_m_;    // of the newest infrared scan
   sensor::DeviceStatus laser_status_ = sensor::DeviceStatus::kUnknown;
   std::vector<Eigen::Vector2d> obstacles_R_m_;
   int odometry_epoch_ = 0;

@@ -5,46 +5,11 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/contracts.h"
-#include "base/median.h"
+#include "navigation/floor_model.h"
 
 namespace geon::navigation {
 
 namespace {
-
-struct Colour {
-  double red_share_1;
-  double green_share_1;
-  double level;
-};
-
-Colour ColourOf(const cv::Vec3b& bgr) {
-  const double sum = bgr[0] + bgr[1] + bgr[2];
-  if (sum <= 0.0) return {1.0 / 3.0, 1.0 / 3.0, 0.0};
-  return {bgr[2] / sum, bgr[1] / sum, sum / 3.0};
-}
-
-constexpr double kNoiseMargin_1 = 4.5;     // standard deviations of floor that are still floor
-constexpr double kLampTolerance_1 = 0.07;  // in each share, between lamps of 3000 and 6500 kelvin
-
-// The largest difference in a share.
-double OffColour(const Colour& colour, const FloorModel& model) {
-  const double red_1 = colour.red_share_1 - model.red_share_1;
-  const double green_1 = colour.green_share_1 - model.green_share_1;
-  const double blue_1 = -red_1 - green_1;
-  return std::max({std::abs(red_1), std::abs(green_1), std::abs(blue_1)});
-}
-
-bool IsFloor(const Colour& colour, const FloorModel& model) {
-  return OffColour(colour, model) <= model.share_tolerance_1 &&
-         colour.level >= model.darkest_1 * model.level &&
-         colour.level <= model.brightest_1 * model.level;
-}
-
-// Of what is no floor: a mirrored lamp adds its own colour to that of the floor it lights.
-bool IsBright(const Colour& colour, const FloorModel& model) {
-  return colour.level > model.brightest_1 * model.level &&
-         OffColour(colour, model) <= kLampTolerance_1;
-}
 
 // Where the ray through a pixel meets the floor, or nothing when it does not within the range.
 std::optional<Eigen::Vector2d> OnFloor(double u_px, double v_px,
@@ -136,59 +101,12 @@ std::optional<FloorColumn> FollowGround(const cv::Mat& not_floor, double azimuth
   return column;
 }
 
-// Standard deviation about a median, from the median of distances, which seams and specks do not
-// move.
-double Spread(std::vector<double> values, double median) {
-  for (double& value : values) value = std::abs(value - median);
-  return 1.4826 * Median(std::move(values));
-}
-
 }  // namespace
 
-FloorModel FloorModel::OfColor(const std::array<double, 3>& color_rgb) {
-  const double sum = color_rgb[0] + color_rgb[1] + color_rgb[2];
-  Require(sum > 0.0, "FloorModel::OfColor: black has no colour");
-  FloorModel model;
-  model.red_share_1 = color_rgb[0] / sum;
-  model.green_share_1 = color_rgb[1] / sum;
-  model.level = sum / 3.0;
-  return model;
-}
-
-bool FloorModel::IsValid(std::string* error) const {
-  const bool valid = red_share_1 >= 0.0 && green_share_1 >= 0.0 &&
-                     red_share_1 + green_share_1 <= 1.0 && level > 0.0 && share_tolerance_1 > 0.0 &&
-                     darkest_1 >= 0.0 && darkest_1 < 1.0 && brightest_1 > 1.0;
-  if (!valid && error != nullptr) {
-    *error = "shares within 0..1, level and tolerance positive, darkest_1 < 1 < brightest_1";
-  }
-  return valid;
-}
-
 bool FloorObstacleOptions::IsValid(std::string* error) const {
-  const bool valid = max_range_m > 0.0 && min_run_px >= 1 && column_step_px >= 1 &&
-                     patch_near_m > 0.0 && patch_far_m > patch_near_m && patch_half_width_m > 0.0;
-  if (!valid && error != nullptr)
-    *error = "ranges, runs and steps positive, patch_near < patch_far";
+  const bool valid = max_range_m > 0.0 && min_run_px >= 1 && column_step_px >= 1;
+  if (!valid && error != nullptr) *error = "ranges, runs and steps must be positive";
   return valid;
-}
-
-cv::Mat NotFloorMask(const cv::Mat& image_bgr, const FloorModel& model) {
-  Require(image_bgr.type() == CV_8UC3, "NotFloorMask: the image must be 8-bit BGR");
-  cv::Mat mask(image_bgr.size(), CV_8UC1);
-  for (int v_px = 0; v_px < image_bgr.rows; ++v_px) {
-    for (int u_px = 0; u_px < image_bgr.cols; ++u_px) {
-      const Colour colour = ColourOf(image_bgr.at<cv::Vec3b>(v_px, u_px));
-      uint8_t* pixel = &mask.at<uint8_t>(v_px, u_px);
-      if (IsFloor(colour, model)) {
-        *pixel = 0;
-      } else {
-        *pixel = IsBright(colour, model) ? kBrightMask : 255;
-      }
-    }
-  }
-  cv::morphologyEx(mask, mask, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8U));
-  return mask;
 }
 
 std::vector<FloorColumn> FloorObstacles(const cv::Mat& not_floor,
@@ -228,66 +146,6 @@ std::optional<FloorColumn> FloorBetween(const Eigen::Vector2d& begin_px,
   const auto end_R_m = OnFloor(end_px.x(), end_px.y(), camera, X_RF, kRounding_1 * max_range_m);
   if (!begin_R_m || !end_R_m) return std::nullopt;
   return FloorColumn{*begin_R_m, *end_R_m, obstacle};
-}
-
-bool PatchIsFree(std::span<const Eigen::Vector2d> echoes_R_m, const FloorObstacleOptions& options) {
-  return std::all_of(echoes_R_m.begin(), echoes_R_m.end(), [&](const Eigen::Vector2d& echo_m) {
-    const Eigen::Vector2d normal = echo_m.normalized();
-    const double reach_m =
-        std::max(options.patch_near_m * normal.x(), options.patch_far_m * normal.x()) +
-        options.patch_half_width_m * std::abs(normal.y());
-    return reach_m < echo_m.norm();
-  });
-}
-
-std::optional<FloorModel> LearnFloor(const cv::Mat& image_bgr,
-                                     const geometry::PinholeCamera& camera,
-                                     const geometry::RigidTransform& X_RF, const FloorModel& prior,
-                                     const FloorObstacleOptions& options) {
-  Require(image_bgr.type() == CV_8UC3, "LearnFloor: the image must be 8-bit BGR");
-  std::vector<double> red_1;
-  std::vector<double> green_1;
-  std::vector<double> level;
-  std::vector<cv::Vec3b> patch;
-  for (int v_px = 0; v_px < image_bgr.rows; ++v_px) {
-    for (int u_px = 0; u_px < image_bgr.cols; ++u_px) {
-      const auto p_R_m = OnFloor(u_px, v_px, camera, X_RF, options.max_range_m);
-      if (!p_R_m || p_R_m->x() < options.patch_near_m || p_R_m->x() > options.patch_far_m ||
-          std::abs(p_R_m->y()) > options.patch_half_width_m) {
-        continue;
-      }
-      patch.push_back(image_bgr.at<cv::Vec3b>(v_px, u_px));
-      const Colour colour = ColourOf(patch.back());
-      red_1.push_back(colour.red_share_1);
-      green_1.push_back(colour.green_share_1);
-      level.push_back(colour.level);
-    }
-  }
-  if (patch.empty()) return std::nullopt;
-
-  FloorModel model = prior;
-  model.red_share_1 = Median(red_1);
-  model.green_share_1 = Median(green_1);
-  model.level = Median(std::move(level));
-  const double noise_1 =
-      std::max(Spread(red_1, model.red_share_1), Spread(green_1, model.green_share_1));
-  model.share_tolerance_1 =
-      std::clamp(kNoiseMargin_1 * noise_1, prior.share_tolerance_1, 2.0 * prior.share_tolerance_1);
-  const auto median_bgr =
-      cv::Vec3b(cv::saturate_cast<uint8_t>(3.0 * model.level *
-                                           (1.0 - model.red_share_1 - model.green_share_1)),
-                cv::saturate_cast<uint8_t>(3.0 * model.level * model.green_share_1),
-                cv::saturate_cast<uint8_t>(3.0 * model.level * model.red_share_1));
-  // Lamps differ from room to room.
-  FloorModel wide = prior;
-  wide.share_tolerance_1 = kLampTolerance_1;
-  wide.darkest_1 = 0.5;
-  wide.brightest_1 = 2.0;
-  if (!IsFloor(ColourOf(median_bgr), wide)) return std::nullopt;
-  const auto alike = std::count_if(patch.begin(), patch.end(),
-                                   [&](const auto& bgr) { return IsFloor(ColourOf(bgr), model); });
-  if (static_cast<double>(alike) < 0.9 * static_cast<double>(patch.size())) return std::nullopt;
-  return model;
 }
 
 }  // namespace geon::navigation

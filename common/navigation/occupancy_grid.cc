@@ -107,11 +107,15 @@ void OccupancyGrid::Judge(Evidence* evidence) {
   ++revision_;
 }
 
-// Remembers where an obstacle was met.
-void OccupancyGrid::Meet(const Eigen::Vector2d& p_W_m, Evidence* evidence) {
+// Remembers where an obstacle was met: the mean of these places, which what is seen from near soon
+// outweighs.
+void OccupancyGrid::Meet(const Eigen::Vector2d& p_W_m, double weight_1, Evidence* evidence) {
+  constexpr float kMost_1 = 2.0F;
   const Eigen::Vector2f p_m = p_W_m.cast<float>();
-  const bool occupied = Occupied(evidence) != 0;
-  evidence->at_W_m = occupied ? Eigen::Vector2f(0.5F * (evidence->at_W_m + p_m)) : p_m;
+  const auto more_1 = static_cast<float>(weight_1);
+  if (Occupied(evidence) == 0) evidence->met_1 = 0.0F;
+  evidence->met_1 = std::min(evidence->met_1 + more_1, kMost_1);
+  evidence->at_W_m += more_1 / evidence->met_1 * (p_m - evidence->at_W_m);
 }
 
 template <typename Visit>
@@ -127,6 +131,16 @@ void OccupancyGrid::AlongRay(const Eigen::Vector2d& from_W_m, const Eigen::Vecto
     last = cell;
     visit(cell);
   }
+}
+
+bool OccupancyGrid::IsJustBeside(GridCell cell) {
+  if (Occupied(At(cell)) == 0) return false;
+  for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
+    for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
+      if (Covers({x, y}) && At({x, y})->met_in == pictures_) return true;
+    }
+  }
+  return false;
 }
 
 void OccupancyGrid::SeeFloor(double now_s, const geometry::RigidTransform& X_WR,
@@ -147,12 +161,12 @@ void OccupancyGrid::SeeFloor(double now_s, const geometry::RigidTransform& X_WR,
     if (!Covers(cell)) continue;
     Evidence* evidence = Touch(cell);
     if (evidence->picture == pictures_) continue;
-    evidence->picture = pictures_;
-    Meet(p_W_m, evidence);
+    evidence->picture = evidence->met_in = pictures_;
+    const double weight_1 = weight(column.end_R_m.norm());
+    Meet(p_W_m, weight_1, evidence);
     evidence->bright = column.bright;
     evidence->seen_1 =
-        Added(evidence->seen_1, options_.seen_obstacle_1 * weight(column.end_R_m.norm()),
-              options_.most_seen_1);
+        Added(evidence->seen_1, options_.seen_obstacle_1 * weight_1, options_.most_seen_1);
     Judge(evidence);
   }
   for (const FloorColumn& column : columns) {
@@ -162,7 +176,7 @@ void OccupancyGrid::SeeFloor(double now_s, const geometry::RigidTransform& X_WR,
     const Eigen::Vector2d end_R_m = column.begin_R_m + along_m * (length_m / along_m.norm());
     AlongRay(geometry::OnGround(X_WR, column.begin_R_m), geometry::OnGround(X_WR, end_R_m),
              [&](GridCell cell) {
-               if (At(cell)->picture == pictures_) return;
+               if (At(cell)->picture == pictures_ || IsJustBeside(cell)) return;
                Evidence* evidence = Touch(cell);
                evidence->picture = pictures_;
                const double distance_m = (Middle(cell) - X_WR.translation().head<2>()).norm();
@@ -238,7 +252,7 @@ void OccupancyGrid::HearOne(const sensor::SonarScan& scan, int sensor, const Rin
   const GridCell cell = CellAt(p_W_m);
   if (!Covers(cell)) return;
   Evidence* evidence = Touch(cell);
-  if (evidence->seen_1 < options_.free_again_1) Meet(p_W_m, evidence);
+  if (evidence->seen_1 < options_.free_again_1) Meet(p_W_m, 1.0, evidence);
   evidence->heard_1 = std::max(evidence->heard_1, 0.0F);
   evidence->heard_1 = Added(evidence->heard_1, options_.heard_1, options_.most_heard_1);
   Judge(evidence);
@@ -252,7 +266,7 @@ void OccupancyGrid::Feel(double now_s, const geometry::RigidTransform& X_WR,
     const GridCell cell = CellAt(p_W_m);
     if (!Covers(cell)) continue;
     Evidence* evidence = Touch(cell);
-    Meet(p_W_m, evidence);
+    if (evidence->seen_1 < options_.free_again_1) Meet(p_W_m, 1.0, evidence);
     evidence->felt_1 = static_cast<float>(options_.felt_1);
     Judge(evidence);
   }

@@ -136,6 +136,15 @@ class OccupancyGrid {
   // Calls visit(cell, place) for all obstacles of a window, row by row.
   template <typename Visit>
   void VisitObstacles(const GridWindow& window, Visit visit) const;
+  // The same for those that the floor camera sees and that are no lamp's image: it knows best where
+  // they are.
+  template <typename Visit>
+  void VisitSeenObstacles(const GridWindow& window, Visit visit) const {
+    VisitObstacles(window, [&](GridCell cell, const Eigen::Vector2d& at_W_m) {
+      const Evidence& evidence = cells_[Index(cell)];
+      if (evidence.seen_1 > options_.free_again_1 && !evidence.bright) visit(cell, at_W_m);
+    });
+  }
   // Whether the floor camera has ever looked there and its evidence is not forgotten.
   bool IsSeen(GridCell cell) const {
     constexpr float kForgotten_1 = 0.1F;
@@ -156,8 +165,10 @@ class OccupancyGrid {
     float seen_1 = 0.0F;
     float heard_1 = 0.0F;
     float felt_1 = 0.0F;
-    Eigen::Vector2f at_W_m = Eigen::Vector2f::Zero();  // where it was met
+    Eigen::Vector2f at_W_m = Eigen::Vector2f::Zero();  // where it was met, on average
+    float met_1 = 0.0F;                                // the weight of that
     int64_t picture = 0;                               // the last, or firing, that told of it
+    int64_t met_in = 0;                                // the last picture of an obstacle there
     bool bright = false;                               // what was seen there
   };
   Evidence* Touch(GridCell cell);  // is known of from now on
@@ -169,8 +180,11 @@ class OccupancyGrid {
   uint8_t& Occupied(const Evidence* evidence) {
     return occupied_[static_cast<size_t>(evidence - cells_.data())];
   }
-  void Meet(const Eigen::Vector2d& p_W_m, Evidence* evidence);
+  void Meet(const Eigen::Vector2d& p_W_m, double weight_1, Evidence* evidence);
   void Judge(Evidence* evidence);
+  // An obstacle, of which this picture shows a neighbouring cell: a line of sight that grazes a
+  // wall passes through cells that the wall is in.
+  bool IsJustBeside(GridCell cell);
   void Fade(double now_s);
   template <typename Visit>
   void AlongRay(const Eigen::Vector2d& from_W_m, const Eigen::Vector2d& to_W_m, Visit visit);

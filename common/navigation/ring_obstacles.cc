@@ -51,9 +51,10 @@ std::vector<Eigen::Vector2d> InfraredObstacles(const sensor::InfraredScan& scan,
   for (int i = 0; i < sensor::kInfraredCount; ++i) {
     const int level = std::min(scan.level[static_cast<size_t>(i)], kFullInfraredLevel);
     if (level < options.infrared_min_level) continue;
-    const double near = static_cast<double>(level) / kFullInfraredLevel;
-    points_R_m.push_back(OnAxis(i, sensor::kInfraredCount,
-                                options.infrared_radius_m + options.infrared_reach_m * (1 - near)));
+    const double far_1 = 1.0 - static_cast<double>(level) / kFullInfraredLevel;
+    points_R_m.push_back(
+        OnAxis(i, sensor::kInfraredCount,
+               options.infrared_radius_m + options.infrared_reach_m * far_1 * far_1));
   }
   return points_R_m;
 }

@@ -29,7 +29,8 @@ std::vector<Eigen::Vector2d> SonarObstacles(const sensor::SonarScan& scan,
                                             const RingOptions& options);
 
 // The same for the infrared ring, which covers what is too near for the sonar. The level grows as
-// things come near, by a law that depends on their surface; taken as linear in distance.
+// things come near, the faster the nearer, and the more the brighter they are: distances are those
+// of something white, and too long for anything darker.
 std::vector<Eigen::Vector2d> InfraredObstacles(const sensor::InfraredScan& scan,
                                                const RingOptions& options);
 

@@ -118,12 +118,12 @@ TEST_F(EyesTest, TheHeadMustStandThroughTheExposureThatThePictureStates) {
 TEST_F(EyesTest, LearnsTheFloorFromTheFirstGoodPicture) {
   Base(kNow);
   eyes_.TakeFloor(Plain(160, 120, 60, 60, 60));  // something dark stands there
-  const auto dark = eyes_.LookFloor(history_, true);
+  const auto dark = eyes_.LookFloor(history_, navigation::RingEchoes());
   ASSERT_TRUE(dark.has_value());
   EXPECT_FALSE(eyes_.floor_learned());
   EXPECT_TRUE(dark->columns.front().obstacle);
   eyes_.TakeFloor(Plain(160, 120, 112, 120, 120));
-  const auto floor = eyes_.LookFloor(history_, true);
+  const auto floor = eyes_.LookFloor(history_, navigation::RingEchoes());
   ASSERT_TRUE(floor.has_value());
   EXPECT_TRUE(eyes_.floor_learned());
   EXPECT_FALSE(floor->columns.front().obstacle);
@@ -134,7 +134,7 @@ TEST_F(EyesTest, ColoursAreReadInTheOrderThePictureSays) {
   sensor::Image rgb = Plain(160, 120, 150, 150, 140);  // as kRgb8: the floor's own colour
   rgb.format = sensor::PixelFormat::kRgb8;
   eyes_.TakeFloor(rgb);
-  EXPECT_FALSE(eyes_.LookFloor(history_, true)->columns.front().obstacle);
+  EXPECT_FALSE(eyes_.LookFloor(history_, navigation::RingEchoes())->columns.front().obstacle);
   EXPECT_TRUE(eyes_.floor_learned());
 }
 
@@ -143,7 +143,7 @@ TEST_F(EyesTest, AGreyPictureIsABrokenContract) {
   sensor::Image gray = Plain(160, 120, 0, 0, 0);
   gray.format = sensor::PixelFormat::kGray8;
   eyes_.TakeFloor(gray);
-  EXPECT_THROW(eyes_.LookFloor(history_, true), ContractViolation);
+  EXPECT_THROW(eyes_.LookFloor(history_, navigation::RingEchoes()), ContractViolation);
 }
 
 TEST_F(EyesTest, WhatIsDoneWithIsNotSeenAgain) {
@@ -213,7 +213,7 @@ TEST_F(EyesTest, TheFloorCameraIgnoresTheSamePlaces) {
   const auto floor_sees = [&] {
     Base(kNow);
     eyes_.TakeFloor(one);
-    const auto sighting = eyes_.LookFloor(history_, false);
+    const auto sighting = eyes_.LookFloor(history_, std::nullopt);
     EXPECT_TRUE(sighting.has_value());
     return sighting && sighting->seen.target.has_value();
   };

@@ -36,6 +36,17 @@ TEST(PoseHistoryTest, InterpolatesTheRobotAcrossTheEndOfTheCircle) {
   EXPECT_NEAR(X_WR->linear()(0, 0), -1.0, 1e-9);
 }
 
+TEST(PoseHistoryTest, PosesAreWhereTheMapHasOdometry) {
+  PoseHistory history;
+  history.Add(BaseAt(kStart, 1.0, 0.0));
+  history.Add(BaseAt(kStart + kTick, 2.0, 0.0));
+  history.SetOdometryPose(geometry::PlanarPose(0.5, 0.0, 1.5707963267948966));
+  const auto X_WR = history.RobotAt(kStart + kTick / 2);
+  EXPECT_NEAR(X_WR->translation().x(), 0.5, 1e-9);
+  EXPECT_NEAR(X_WR->translation().y(), 1.5, 1e-9);
+  EXPECT_NEAR(X_WR->linear()(1, 0), 1.0, 1e-9);
+}
+
 TEST(PoseHistoryTest, KnowsNothingBeforeTheFirstAndLongAfterTheLast) {
   PoseHistory history;
   EXPECT_FALSE(history.RobotAt(kStart).has_value());

@@ -2,7 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
+#include "base/angles.h"
+#include "base/time.h"
 #include "tests/common/mission/fake_world.h"
+#include "tests/common/navigation/walled_room.h"
 
 namespace geon::mission {
 namespace {
@@ -74,29 +80,64 @@ TEST_F(SensesTest, AJumpOfOdometryForgetsPlaces) {
   EXPECT_TRUE(senses_.obstacles_R_m().empty());
 }
 
-TEST_F(SensesTest, TheFloorIsLearnedOnceTheSonarHeardNothingBeforeTheStandingRobot) {
+TEST_F(SensesTest, EchoesAreToldOnceTheRingWasHeardAndWithHowFarTheRobotMovedSince) {
   sensor::BaseState base;
   base.status = sensor::DeviceStatus::kReady;
   sensor::SonarScan sonar;
   sonar.range_m.fill(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_FALSE(senses_.FloorPatchIsFree(0.0)) << "nothing was heard yet";
-  const auto hear = [&](double now_s, double ahead_m) {
-    sonar.range_m[0] = ahead_m;
+  sonar.range_m[0] = 0.7;
+  EXPECT_FALSE(senses_.Echoes(0.0)) << "nothing was heard yet";
+  const auto hear = [&](double now_s) {
+    base.utime = MicrosecondsFromSeconds(1.0 + now_s);
     senses_.Take(now_s, base);
     senses_.Take(now_s, sonar);
   };
-  hear(0.0, 2.0);
-  EXPECT_FALSE(senses_.FloorPatchIsFree(1.0)) << "the ring is not round yet";
-  hear(1.5, 2.0);
-  EXPECT_TRUE(senses_.FloorPatchIsFree(1.5));
-  hear(1.6, 0.5);
-  EXPECT_FALSE(senses_.FloorPatchIsFree(1.6));
-  base.moving = true;
-  hear(3.0, 2.0);
-  EXPECT_FALSE(senses_.FloorPatchIsFree(3.0));
-  base.moving = false;
-  hear(4.5, 2.0);
-  EXPECT_TRUE(senses_.FloorPatchIsFree(4.5));
+  for (int i = 0; i <= 15; ++i) hear(0.1 * i);
+  EXPECT_FALSE(senses_.Echoes(1.0)) << "the ring is not round yet";
+  auto echoes = senses_.Echoes(1.5);
+  ASSERT_TRUE(echoes.has_value());
+  ASSERT_EQ(echoes->points_R_m.size(), 1U);
+  EXPECT_NEAR(echoes->points_R_m[0].x(), 0.925, 1e-6);
+  EXPECT_NEAR(echoes->moved_m, 0.0, 1e-9);
+
+  sensor::InfraredScan infrared;
+  infrared.level.fill(0);
+  infrared.level[0] = 15;
+  senses_.Take(1.5, infrared);
+  EXPECT_EQ(senses_.Echoes(1.5)->points_R_m.size(), 2U);
+
+  for (int i = 16; i <= 30; ++i) {
+    base.x_m += 0.01;
+    hear(0.1 * i);
+  }
+  EXPECT_NEAR(senses_.Echoes(3.0)->moved_m, 0.12, 0.011);
+  EXPECT_FALSE(senses_.Echoes(9.0)) << "the base is silent";
+}
+
+TEST_F(SensesTest, TheMapKeepsTheHeadingThatOdometryLoses) {
+  constexpr double kTurn_1 = 1.02, kStep_rad = 0.14;
+  navigation::WalledRoom room;
+  sensor::BaseState base;
+  base.status = sensor::DeviceStatus::kReady;
+  double truth_rad = 0.0, odometry_rad = 0.0;
+  for (int i = 0; i < 180; ++i) {
+    const double now_s = 0.2 * i;
+    base.utime = MicrosecondsFromSeconds(1.0 + now_s);
+    base.heading_rad = WrapAngle(odometry_rad);
+    senses_.Take(now_s, base);
+    sensor::Image image;
+    image.utime = base.utime;
+    FloorSighting seen;
+    seen.columns = room.Look(geometry::PlanarPose(0.0, 0.0, truth_rad));
+    senses_.TakeFloorImage(now_s, image, seen);
+    senses_.Look(now_s);
+    truth_rad += kStep_rad;
+    odometry_rad += kTurn_1 * kStep_rad;
+  }
+  truth_rad -= kStep_rad;
+  EXPECT_GT(std::abs(WrapAngle(base.heading_rad - truth_rad)), 0.4);
+  EXPECT_NEAR(WrapAngle(senses_.base().heading_rad - truth_rad), 0.0, 0.1);
+  EXPECT_TRUE(senses_.floor()->X_WR.isApprox(senses_.X_WR(), 1e-9));
 }
 
 }  // namespace

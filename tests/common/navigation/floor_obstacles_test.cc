@@ -3,40 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <opencv2/core.hpp>
 #include <random>
 
-#include "base/angles.h"
 #include "base/contracts.h"
+#include "navigation/floor_model.h"
+#include "tests/common/navigation/floor_picture.h"
 
 namespace geon::navigation {
 namespace {
-
-const geometry::PinholeCamera kCamera{320, 240, 160.0, 160.0, 159.5, 119.5};
-
-geometry::RigidTransform CameraPose() {
-  return geometry::MakeTransform(
-      geometry::RotationAboutY(RadiansFromDegrees(40)) * geometry::CameraAxesInBody(),
-      Eigen::Vector3d(0.15, 0.0, 0.85));
-}
-
-// A picture of the floor, each pixel coloured by where its ray meets the floor (BGR).
-cv::Mat Picture(const std::function<cv::Vec3b(double x_m, double y_m)>& color) {
-  const auto X_RF = CameraPose();
-  cv::Mat image(kCamera.height_px, kCamera.width_px, CV_8UC3);
-  for (int v = 0; v < image.rows; ++v) {
-    for (int u = 0; u < image.cols; ++u) {
-      const Eigen::Vector3d ray = X_RF.linear() * kCamera.Ray(u, v);
-      const Eigen::Vector3d p = X_RF.translation() - ray * (0.85 / ray.z());
-      image.at<cv::Vec3b>(v, u) = color(p.x(), p.y());
-    }
-  }
-  return image;
-}
-
-const cv::Vec3b kFloor(140, 150, 150);
-const FloorModel kModel = FloorModel::OfColor({150, 150, 140});
 
 std::vector<FloorColumn> Look(const cv::Mat& image) {
   return FloorObstacles(NotFloorMask(image, kModel), kCamera, CameraPose(), {});
@@ -150,50 +125,6 @@ TEST(FloorObstaclesTest, SomethingAtTheLowestRowEndsTheColumnThere) {
     EXPECT_EQ(column.begin_R_m, column.end_R_m);
   }
   EXPECT_NEAR(columns[columns.size() / 2].end_R_m.x(), 0.35, 0.02);
-}
-
-TEST(LearnFloorTest, LearnsTheShadeOfTheRoomsLight) {
-  const cv::Vec3b warm(100, 120, 126);
-  const auto model =
-      LearnFloor(Picture([&](double, double) { return warm; }), kCamera, CameraPose(), kModel, {});
-  ASSERT_TRUE(model.has_value());
-  EXPECT_NEAR(model->level, 115.3, 0.5);
-  EXPECT_NEAR(model->red_share_1, 126.0 / 346.0, 0.002);
-}
-
-TEST(LearnFloorTest, AMottledFloorIsKnownByAWiderTolerance) {
-  const auto mottled = [](double x_m, double y_m) {
-    const bool warm =
-        (static_cast<int>(50.0 * x_m) + static_cast<int>(50.0 * (y_m + 5.0))) % 2 == 0;
-    return warm ? cv::Vec3b(136, 150, 154) : cv::Vec3b(144, 150, 146);
-  };
-  const auto model = LearnFloor(Picture(mottled), kCamera, CameraPose(), kModel, {});
-  ASSERT_TRUE(model.has_value());
-  EXPECT_GT(model->share_tolerance_1, 1.05 * kModel.share_tolerance_1);
-}
-
-TEST(LearnFloorTest, DoesNotTakeWhatStandsInFrontForFloor) {
-  const auto red = Picture([](double, double) { return cv::Vec3b(30, 30, 180); });
-  EXPECT_FALSE(LearnFloor(red, kCamera, CameraPose(), kModel, {}).has_value());
-  const auto half =
-      Picture([](double x_m, double) { return x_m > 0.7 ? cv::Vec3b(60, 60, 60) : kFloor; });
-  EXPECT_FALSE(LearnFloor(half, kCamera, CameraPose(), kModel, {}).has_value());
-}
-
-TEST(PatchIsFreeTest, AWallBeforeTheRobotIsNotLearnedAsFloor) {
-  const FloorObstacleOptions options;  // the patch: 0.45 to 0.85 m ahead, 0.2 m to each side
-  EXPECT_TRUE(PatchIsFree({}, options));
-  const auto free = [&](double distance_m, double bearing_rad) {
-    const std::vector<Eigen::Vector2d> echo = {
-        {distance_m * std::cos(bearing_rad), distance_m * std::sin(bearing_rad)}};
-    return PatchIsFree(echo, options);
-  };
-  EXPECT_FALSE(free(0.8, 0.0));
-  EXPECT_TRUE(free(0.9, 0.0));
-  EXPECT_FALSE(free(0.7, kPi / 4)) << "a slanting wall answers along its normal";
-  EXPECT_TRUE(free(0.8, kPi / 4));
-  EXPECT_TRUE(free(0.3, kPi / 2)) << "a wall beside the robot leaves the patch free";
-  EXPECT_TRUE(free(0.3, kPi)) << "and so does one behind";
 }
 
 TEST(FloorObstaclesTest, RefusesWhatIsNotAPictureOfThisCamera) {

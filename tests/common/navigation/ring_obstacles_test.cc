@@ -45,5 +45,15 @@ TEST(InfraredObstaclesTest, TouchingIsAtTheSkinAndWeakIsNothing) {
   EXPECT_NEAR(points[0].x(), -0.267, 1e-12);
 }
 
+TEST(InfraredObstaclesTest, TheLevelFallsFastFromTheSkinOn) {
+  const auto distance = [](int level) {
+    sensor::InfraredScan scan;
+    scan.level[0] = level;
+    return InfraredObstacles(scan, {})[0].x() - 0.267;
+  };
+  EXPECT_NEAR(distance(5), 0.6 * 4.0 / 9.0, 1e-9);
+  EXPECT_LT(distance(10), 0.5 * distance(7));
+}
+
 }  // namespace
 }  // namespace geon::navigation

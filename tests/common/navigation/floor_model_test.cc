@@ -1,0 +1,94 @@
+#include "navigation/floor_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "base/angles.h"
+#include "tests/common/navigation/floor_picture.h"
+
+namespace geon::navigation {
+namespace {
+
+const cv::Vec3b kWall(160, 160, 160);  // white in the floor's brightness
+
+TEST(LearnFloorTest, LearnsTheShadeOfTheRoomsLight) {
+  const cv::Vec3b warm(100, 120, 126);
+  const auto model = LearnFloor(Picture([&](double, double) { return warm; }), kCamera,
+                                CameraPose(), kModel, FloorPatch());
+  ASSERT_TRUE(model.has_value());
+  EXPECT_NEAR(model->level, 115.3, 0.5);
+  EXPECT_NEAR(model->red_share_1, 126.0 / 346.0, 0.002);
+}
+
+TEST(LearnFloorTest, AMottledFloorIsKnownByAWiderTolerance) {
+  const auto mottled = [](double x_m, double y_m) {
+    const bool warm =
+        (static_cast<int>(50.0 * x_m) + static_cast<int>(50.0 * (y_m + 5.0))) % 2 == 0;
+    return warm ? cv::Vec3b(136, 150, 154) : cv::Vec3b(144, 150, 146);
+  };
+  const auto model = LearnFloor(Picture(mottled), kCamera, CameraPose(), kModel, FloorPatch());
+  ASSERT_TRUE(model.has_value());
+  EXPECT_GT(model->share_tolerance_1, 1.05 * kModel.share_tolerance_1);
+}
+
+TEST(LearnFloorTest, DoesNotTakeWhatStandsInFrontForFloor) {
+  const auto red = Picture([](double, double) { return cv::Vec3b(30, 30, 180); });
+  EXPECT_FALSE(LearnFloor(red, kCamera, CameraPose(), kModel, FloorPatch()).has_value());
+  const auto half =
+      Picture([](double x_m, double) { return x_m > 0.7 ? cv::Vec3b(60, 60, 60) : kFloor; });
+  EXPECT_FALSE(LearnFloor(half, kCamera, CameraPose(), kModel, FloorPatch()).has_value());
+}
+
+TEST(LearnFloorTest, APatchThatIsNotInThePictureTeachesNothing) {
+  const auto floor = Picture([](double, double) { return kFloor; });
+  EXPECT_FALSE(LearnFloor(floor, kCamera, CameraPose(), kModel, {-2.0, -1.0, -0.2, 0.2}));
+}
+
+TEST(LearnFloorTest, BesideAWallItLearnsFromWhatIsLeftOfTheFloor) {
+  const cv::Vec3b warm(100, 120, 126);
+  const auto wall_on_the_left =
+      Picture([&](double, double y_m) { return y_m > 0.05 ? kWall : warm; });
+  const auto learn = [&](const cv::Mat& picture, const RingEchoes& echoes) {
+    return LearnFloor(picture, kCamera, CameraPose(), kModel, echoes);
+  };
+  const auto beside = learn(wall_on_the_left, {});
+  ASSERT_TRUE(beside.has_value());
+  EXPECT_NEAR(beside->level, 115.3, 1.0);
+
+  const auto wall_ahead = Picture([&](double x_m, double) { return x_m > 0.66 ? kWall : warm; });
+  const auto before = learn(wall_ahead, {{{0.66, 0.0}}, 0.0});
+  ASSERT_TRUE(before.has_value());
+  EXPECT_NEAR(before->level, 115.3, 1.0);
+
+  const auto all_wall = Picture([](double, double) { return kWall; });
+  EXPECT_FALSE(learn(all_wall, {{{0.42, 0.0}}, 0.0})) << "infrared feels it";
+  EXPECT_FALSE(learn(wall_ahead, {{}, 0.5})) << "what was heard then says nothing of now";
+}
+
+TEST(PatchIsFreeTest, AWallBeforeTheRobotIsNotLearnedAsFloor) {
+  const FloorPatch patch;  // 0.45 to 0.85 m ahead, 0.2 m to each side
+  EXPECT_TRUE(PatchIsFree({}, patch));
+  const auto free = [&](double distance_m, double bearing_rad, double moved_m = 0.0) {
+    const Eigen::Vector2d echo_m(distance_m * std::cos(bearing_rad),
+                                 distance_m * std::sin(bearing_rad));
+    return PatchIsFree({{echo_m}, moved_m}, patch);
+  };
+  EXPECT_FALSE(free(0.8, 0.0));
+  EXPECT_TRUE(free(0.9, 0.0));
+  EXPECT_FALSE(free(0.9, 0.0, 0.1)) << "it may be nearer by now";
+  EXPECT_FALSE(free(0.7, kPi / 4)) << "a slanting wall answers along its normal";
+  EXPECT_TRUE(free(0.8, kPi / 4));
+  EXPECT_TRUE(free(0.3, kPi / 2)) << "a wall beside the robot leaves the patch free";
+  EXPECT_TRUE(free(0.3, kPi)) << "and so does one behind";
+}
+
+TEST(PatchIsFreeTest, APatchBesideCountsFromItsOwnEdges) {
+  const FloorPatch left{0.45, 0.75, 0.0, 0.3};
+  EXPECT_FALSE(PatchIsFree({{{0.0, 0.28}}, 0.0}, left));
+  EXPECT_TRUE(PatchIsFree({{{0.0, -0.05}}, 0.0}, left));
+}
+
+}  // namespace
+}  // namespace geon::navigation
