@@ -39,7 +39,16 @@ std::string RunsTable(const RobotRecord& record) {
   return html + "</table><p class=\"muted\">" + Escape(kThesisRunsNote) + "</p>";
 }
 
+// A survey has no label of its own: how many of the geons it named.
+std::string SurveyEnding(const RobotTrialRecord& trial) {
+  const auto right = std::count_if(trial.geons.begin(), trial.geons.end(),
+                                   [](const RobotGeonRecord& geon) { return geon.right(); });
+  return std::to_string(right) + " of " + std::to_string(trial.geons.size()) +
+         " geons rightly named, " + std::to_string(trial.others) + " findings where there is none";
+}
+
 std::string Ending(const RobotTrialRecord& trial) {
+  if (!trial.label && trial.reached()) return SurveyEnding(trial);
   std::string text = WithArticle(trial.subject.truth) + " on the " + trial.subject.object;
   if (trial.right()) return text + ", rightly named";
   if (trial.named()) return text + ", taken for " + WithArticle(*trial.label);

@@ -164,6 +164,17 @@ TEST(RobotPageTest, ShowsTheFilmAndWhatWentWrong) {
   EXPECT_THAT(page, HasSubstr("2 runs came to none"));
 }
 
+TEST(RobotPageTest, ASurveyThatIsNotAllRightSaysHowManyOfItsGeonsAre) {
+  RobotRecord record = ShardOf({4});
+  RobotTrialRecord& survey = record.trials[0];
+  survey.end = MissionOutcome::kSurveyed;
+  survey.geons = {{GeonLabel::kCuboid, "floor", true, GeonLabel::kCuboid, true, 1, 0.02},
+                  {GeonLabel::kCylinder, "floor", true, GeonLabel::kEllipsoid, true, 1, 0.03}};
+  survey.others = 1;
+  const std::string page = RobotPage(record);
+  EXPECT_THAT(page, HasSubstr("1 of 2 geons rightly named, 1 findings where there is none"));
+}
+
 TEST(RobotPageTest, NeedsNothingFromElsewhereAndSaysWhenNothingIsWrong) {
   EXPECT_THAT(RobotPage(FiveMissions()), Not(HasSubstr("<script")));
   EXPECT_THAT(RobotPage(FiveMissions()), Not(HasSubstr("http")));
