@@ -1,12 +1,13 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace geon::geometry {
 
 // X_AB takes coordinates in frame B to coordinates in frame A: p_A = X_AB * p_B. The frames'
-// letters are those of docs/frames.md (W pen floor, R robot, P PTU base, T PTU head, C colour
-// camera, B B/W camera, F floor camera, L level frame of a scan).
+// letters are those of docs/frames.md (O odometry, W pen floor, R robot, P PTU base, T PTU head, C
+// colour camera, B B/W camera, F floor camera, L level frame of a scan).
 using RigidTransform = Eigen::Isometry3d;
 
 inline RigidTransform MakeTransform(const Eigen::Matrix3d& R_AB, const Eigen::Vector3d& p_AB) {
@@ -36,10 +37,15 @@ inline Eigen::Matrix3d CameraAxesInBody() {
   return R_AB;
 }
 
-// Where the robot stands on the pen floor: X_WR from odometry (metres, radians, heading
-// counter-clockwise from the x axis of W).
+// Where the robot stands on the pen floor: X_WR (metres, radians, heading counter-clockwise from
+// the x axis of W).
 inline RigidTransform PlanarPose(double x_m, double y_m, double heading_rad) {
   return MakeTransform(RotationAboutZ(heading_rad), Eigen::Vector3d(x_m, y_m, 0.0));
+}
+
+// The heading of such a pose, -pi to pi.
+inline double HeadingOf(const RigidTransform& X_WR) {
+  return std::atan2(X_WR.linear()(1, 0), X_WR.linear()(0, 0));
 }
 
 // Takes the place (x, y) on the ground of B to A, where both have the ground at z = 0.

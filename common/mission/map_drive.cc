@@ -121,13 +121,13 @@ bool MapDrive::IsUnknownAhead(const navigation::DriveVelocity& velocity,
                               const Senses& senses) const {
   constexpr double kAhead_m = 0.15;
   constexpr double kBeside_m = 0.06;
-  constexpr double kMostBent_1_m = 1.5;
-  const double bent_1_m =
-      std::clamp(velocity.turn_rate_rad_s / velocity.speed_m_s, -kMostBent_1_m, kMostBent_1_m);
+  constexpr double kMost_per_m = 1.5;
+  const double curvature_per_m =
+      std::clamp(velocity.turn_rate_rad_s / velocity.speed_m_s, -kMost_per_m, kMost_per_m);
   const auto on_arc = [&](double along_m, double beside_m) -> Eigen::Vector2d {
-    const double turn_rad = bent_1_m * along_m;
-    const double half = 0.5 * turn_rad;  // the chord's direction; the arc is short
-    return along_m * Eigen::Vector2d(std::cos(half), std::sin(half)) +
+    const double turn_rad = curvature_per_m * along_m;
+    const double chord_rad = 0.5 * turn_rad;  // as long as the arc, nearly: it is short
+    return along_m * Eigen::Vector2d(std::cos(chord_rad), std::sin(chord_rad)) +
            beside_m * Eigen::Vector2d(-std::sin(turn_rad), std::cos(turn_rad));
   };
   const double radius_m = options_.velocity.body_radius_m;

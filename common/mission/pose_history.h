@@ -19,7 +19,8 @@ class PoseHistory {
   void Add(const sensor::BaseState& state);
   void Add(const sensor::PtuState& state);
 
-  // Where in the map odometry's origin is, for all states, those to come too; at first they agree.
+  // Where the map has the origin of odometry, for all states, past and to come; at first in its
+  // own.
   void SetOdometryPose(const geometry::RigidTransform& X_WO) { X_WO_ = X_WO; }
 
   // X_WR, interpolated; the newest pose for instants up to 0.15 s after it. Nothing when the base

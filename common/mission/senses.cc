@@ -14,8 +14,8 @@ namespace {
 // The robot does 0.5 m/s and states come ten times a second: more is not motion.
 constexpr double kJump_m = 0.5;
 constexpr double kSonarRound_s = 1.2;  // in which every sonar has fired
-constexpr double kAhead_m = 0.7;
-constexpr double kMapReach_m = 2.8;  // obstacles of the map that matter to the next move
+constexpr double kAhead_m = 0.7;       // where the floor's colour is learned
+constexpr double kMapReach_m = 2.8;    // obstacles of the map that matter to the next move
 
 // What odometry says, state or sonar scan, with its pose taken from O to W.
 template <typename Posed>
@@ -23,8 +23,7 @@ Posed InWorld(Posed posed, const geometry::RigidTransform& X_WO) {
   const Eigen::Vector2d p_W_m = geometry::OnGround(X_WO, {posed.x_m, posed.y_m});
   posed.x_m = p_W_m.x();
   posed.y_m = p_W_m.y();
-  posed.heading_rad =
-      WrapAngle(posed.heading_rad + std::atan2(X_WO.linear()(1, 0), X_WO.linear()(0, 0)));
+  posed.heading_rad = WrapAngle(posed.heading_rad + geometry::HeadingOf(X_WO));
   return posed;
 }
 
@@ -102,7 +101,6 @@ std::optional<navigation::RingEchoes> Senses::Echoes(double now_s) const {
   const geometry::RigidTransform X_ThenR = X_WThen->inverse() * X_WR();
   navigation::RingEchoes echoes{echoes_R_m_, 0.0};
   echoes.points_R_m.insert(echoes.points_R_m.end(), felt_R_m_.begin(), felt_R_m_.end());
-  // Of the middle of what is before the robot, where its colour is learned.
   const Eigen::Vector2d ahead_m(kAhead_m, 0.0);
   echoes.moved_m = (geometry::OnGround(X_ThenR, ahead_m) - ahead_m).norm();
   return echoes;
@@ -148,7 +146,7 @@ void Senses::TakeFloorImage(double now_s, sensor::Image image, std::optional<Flo
 
 void Senses::Look(double now_s) {
   head_ = eyes_.LookHead(history_);
-  floor_ = eyes_.LookFloor(history_, Echoes(now_s));
+  floor_ = eyes_.LookFloor(history_, floor_learned() ? std::nullopt : Echoes(now_s));
   if (floor_) floor_looked_s_ = now_s;
   if (map_) {
     if (floor_) {

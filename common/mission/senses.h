@@ -98,7 +98,7 @@ class Senses {
   Eyes eyes_;
   navigation::ObstacleMemory memory_;             // of the planner `thesis`
   std::optional<navigation::OccupancyGrid> map_;  // of the planner `map`
-  navigation::MapLocalizer localizer_;
+  navigation::MapLocalizer localizer_;            // the same; else W is O
   std::optional<HeadSighting> head_;
   std::optional<FloorSighting> floor_;
   sensor::BaseState odometry_;  // as it came

@@ -23,10 +23,6 @@ constexpr double kLeastSigma = 1e-4;                     // a robot yet unmoved 
 using Unknowns = Eigen::Matrix<double, 6, 1>;
 using Information = Eigen::Matrix<double, 6, 6>;
 
-double HeadingOf(const geometry::RigidTransform& X) {
-  return std::atan2(X.linear()(1, 0), X.linear()(0, 0));
-}
-
 Eigen::Vector2d TurnedLeft(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 
 // How a point on the floor seems to move, in metres for a radian, when the camera is tilted about x
@@ -134,7 +130,7 @@ void MapLocalizer::See(const geometry::RigidTransform& X_OR, std::span<const Flo
     moved_m_ = turned_rad_ = 0.0;
   }
   // From numbers: a product of what was a product would in the end be no rotation.
-  const double turn_rad = WrapAngle(state_(2) - HeadingOf(X_OR));
+  const double turn_rad = WrapAngle(state_(2) - geometry::HeadingOf(X_OR));
   const Eigen::Vector2d p_WO_m =
       state_.head<2>() - Eigen::Rotation2Dd(turn_rad) * X_OR.translation().head<2>();
   X_WO_ = geometry::PlanarPose(p_WO_m.x(), p_WO_m.y(), turn_rad);
@@ -144,13 +140,13 @@ void MapLocalizer::Predict(const geometry::RigidTransform& X_OR) {
   if (!X_OR_) {
     X_OR_ = X_OR;
     state_.head<2>() = X_OR.translation().head<2>();
-    state_(2) = HeadingOf(X_OR);
+    state_(2) = geometry::HeadingOf(X_OR);
     return;
   }
   const geometry::RigidTransform X_RNext = X_OR_->inverse() * X_OR;
   X_OR_ = X_OR;
   const Eigen::Vector2d step_m = X_RNext.translation().head<2>();
-  const double turn_rad = HeadingOf(X_RNext);
+  const double turn_rad = geometry::HeadingOf(X_RNext);
   moved_m_ += step_m.norm();
   turned_rad_ += std::abs(turn_rad);
 

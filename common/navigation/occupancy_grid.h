@@ -81,7 +81,7 @@ struct GridWindow {
   }
 };
 
-// A map of where obstacles are, in the odometry frame W, from all sensors that feel or see them.
+// A map of where obstacles are, in frame W, from all sensors that feel or see them.
 //
 // Source: Moravec and Elfes (1985), Thrun et al., "Probabilistic Robotics" (2005), ch. 9: evidence
 // adds up as log-odds, free space from a sensor to what it met, an obstacle there.

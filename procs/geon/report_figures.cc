@@ -69,7 +69,7 @@ void DrawRobot(const sensor::BaseState& at, const char* css, Plot* plot) {
 
 std::string MapLegend(bool truth) {
   std::string legend =
-      "<p class=\"legend\"><span class=\"key path-key\"></span>path "
+      "<p class=\"legend\"><span class=\"key path-key\"></span>path by odometry "
       "<span class=\"key safe-key\"></span>safe polygons "
       "<span class=\"key obstacle-key\"></span>obstacles seen "
       "<span class=\"key target-key\"></span>target as supposed";

@@ -24,8 +24,8 @@ std::string StripeFigures(const RunRecord& run, const geometry::SensorRig& rig);
 // The seven labels and how probable each is.
 std::string PosteriorFigure(const sensor::GeonVerdict& verdict);
 
-// From above, frame W: path, obstacles, safe polygons, target; the true objects where they are
-// known.
+// From above, frame W: obstacles, safe polygons, target; the true objects where they are known; the
+// path by odometry (frame O).
 std::string MapFigure(const RunRecord& run, const std::optional<Truth>& truth);
 
 // The phases as a bar to scale and as a list with what the planner said.

@@ -48,7 +48,7 @@ std::string SurveyEnding(const RobotTrialRecord& trial) {
 }
 
 std::string Ending(const RobotTrialRecord& trial) {
-  if (!trial.label && trial.reached()) return SurveyEnding(trial);
+  if (trial.surveyed()) return SurveyEnding(trial);
   std::string text = WithArticle(trial.subject.truth) + " on the " + trial.subject.object;
   if (trial.right()) return text + ", rightly named";
   if (trial.named()) return text + ", taken for " + WithArticle(*trial.label);
@@ -98,16 +98,23 @@ std::string ConfusionSection(const RobotRecord& record) {
   std::vector<evaluation::ConfusionRow> rows;
   int unanswered = 0;
   for (const RobotTrialRecord& trial : record.trials) {
-    if (!trial.label) {
-      ++unanswered;
-      continue;
+    const auto count = [&](const evaluation::Subject& subject, std::optional<GeonLabel> label,
+                           bool decided) {
+      if (!label) {
+        ++unanswered;
+        return;
+      }
+      rows.push_back({subject, {}, decided ? 0 : 1});
+      ++rows.back().counts[static_cast<size_t>(*label)];
+    };
+    if (!trial.surveyed()) count(trial.subject, trial.label, trial.decided);
+    for (const RobotGeonRecord& geon : trial.geons) {
+      if (trial.surveyed()) count({geon.truth, geon.place, 1}, geon.label, geon.decided);
     }
-    rows.push_back({trial.subject, {}, trial.decided ? 0 : 1});
-    ++rows.back().counts[static_cast<size_t>(*trial.label)];
   }
   return "<h2>What was taken for what</h2><p class=\"muted\">All verdicts, the undecided ones as "
          "well; " +
-         std::to_string(unanswered) + " runs came to none.</p>" + ClassFigure(rows, false);
+         std::to_string(unanswered) + " geons have none.</p>" + ClassFigure(rows, false);
 }
 
 std::string FailedRun(const DrawnRun& run, const RobotTrialRecord& trial) {
@@ -119,7 +126,7 @@ std::string FailedRun(const DrawnRun& run, const RobotTrialRecord& trial) {
   }
   return html + "<p>" + Fixed(trial.end_s, 1) + " s, " + Fixed(trial.path_m, 1) + " m driven, " +
          std::to_string(trial.contacts) + (trial.contacts == 1 ? " contact" : " contacts") +
-         (trial.reached() ? ", confidence " + Fixed(100.0 * trial.confidence, 0) + " %" : "") +
+         (trial.label ? ", confidence " + Fixed(100.0 * trial.confidence, 0) + " %" : "") +
          ". The mission said: " + Escape(trial.why) + "</p></article>";
 }
 
@@ -138,10 +145,12 @@ std::string FailedRuns(const RobotRecord& record) {
 
 std::string RobotBody(const RobotRecord& record) {
   const RobotSummary all = Summarize(record);
+  const bool surveys = !record.trials.empty() && record.trials.front().surveyed();
   const bool sweeps = record.conditions.value("scan", "stop") == "sweep";
   return "<h1>" + std::to_string(all.right.right) + " of " + std::to_string(all.right.n) +
-         " missions named the geon rightly</h1><p class=\"lead\">Method “" + Escape(record.method) +
-         "”, planner “" + Escape(record.conditions.value("planner", "")) +
+         " missions named " + (surveys ? "all their geons" : "the geon") +
+         " rightly</h1><p class=\"lead\">Method “" + Escape(record.method) + "”, planner “" +
+         Escape(record.conditions.value("planner", "")) +
          (sweeps ? "”, stripes laid while the head turns" : "”, the head stops for each stripe") +
          ". The simulated robot looks for a geon in a pen, drives up to it, scans and names it: "
          "rendered pictures, serial protocols and calibration included, in virtual time. Section "

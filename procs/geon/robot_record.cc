@@ -143,8 +143,8 @@ RobotSummary Summarize(const RobotRecord& record, const std::string& place) {
   for (const RobotTrialRecord& trial : record.trials) {
     if (!place.empty() && trial.subject.object != place) continue;
     summary.right.Count(trial.right());
-    summary.wrong += trial.named() && !trial.right() ? 1 : 0;
-    summary.undecided += trial.reached() && !trial.named() ? 1 : 0;
+    summary.wrong += trial.concluded() && !trial.right() ? 1 : 0;
+    summary.undecided += trial.reached() && !trial.concluded() ? 1 : 0;
     summary.right_guesses += trial.right_guess() ? 1 : 0;
     summary.trapped += trial.trapped() ? 1 : 0;
     summary.unreachable += trial.unreachable() && !trial.reached() ? 1 : 0;

@@ -50,6 +50,8 @@ struct RobotTrialRecord {
   bool surveyed() const { return geons.size() > 1; }  // all were to be named
   bool reached() const { return label.has_value() || end == sensor::MissionOutcome::kSurveyed; }
   bool named() const { return end == sensor::MissionOutcome::kNamed; }
+  // With an answer that the mission stands by.
+  bool concluded() const { return named() || end == sensor::MissionOutcome::kSurveyed; }
   bool right() const {
     if (surveyed()) return others == 0 && AllGeonsRight();
     return named() && label == subject.truth;

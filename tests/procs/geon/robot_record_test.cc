@@ -161,7 +161,7 @@ TEST(RobotPageTest, ShowsTheFilmAndWhatWentWrong) {
   EXPECT_THAT(page, HasSubstr("Run 3, seed 10: a cuboid on the box, said to be out of reach"));
   EXPECT_THAT(page, HasSubstr("because of run 4"));
   EXPECT_THAT(page, HasSubstr("base64,BB3"));
-  EXPECT_THAT(page, HasSubstr("2 runs came to none"));
+  EXPECT_THAT(page, HasSubstr("2 geons have none"));
 }
 
 TEST(RobotPageTest, ASurveyThatIsNotAllRightSaysHowManyOfItsGeonsAre) {
@@ -173,6 +173,10 @@ TEST(RobotPageTest, ASurveyThatIsNotAllRightSaysHowManyOfItsGeonsAre) {
   survey.others = 1;
   const std::string page = RobotPage(record);
   EXPECT_THAT(page, HasSubstr("1 of 2 geons rightly named, 1 findings where there is none"));
+  EXPECT_THAT(page, HasSubstr("missions named all their geons rightly"));
+  EXPECT_THAT(page, HasSubstr("0 geons have none")) << "both are in the table of answers";
+  EXPECT_EQ(Summarize(record).wrong, 1) << "it ended with an answer";
+  EXPECT_EQ(Summarize(record).undecided, 0);
 }
 
 TEST(RobotPageTest, NeedsNothingFromElsewhereAndSaysWhenNothingIsWrong) {
