@@ -47,7 +47,7 @@ Eyes::Eyes(const SeeingOptions& options, const geometry::SensorRig& rig)
       rig_(rig),
       head_finder_(options.target_color, options.head),
       floor_finder_(options.target_color, options.floor),
-      floor_model_(options.floor_model) {
+      floor_models_{options.floor_model} {
   std::string error;
   Require(options.IsValid(&error), error);
 }
@@ -117,18 +117,26 @@ std::optional<FloorSighting> Eyes::LookFloor(const PoseHistory& history,
   return sighting;
 }
 
+void Eyes::LearnFloor(const cv::Mat& bgr, const navigation::RingEchoes& echoes) {
+  if (!floor_learned_) {
+    const auto learned =
+        navigation::LearnFloor(bgr, rig_.floor_camera, rig_.X_RF, options_.floor_model, echoes);
+    floor_learned_ = learned.has_value();
+    if (learned) floor_models_ = {*learned};
+    return;
+  }
+  const auto lights =
+      navigation::LearnOtherLight(bgr, rig_.floor_camera, rig_.X_RF, floor_models_.front(), echoes);
+  if (lights) floor_models_.assign(lights->begin(), lights->end());
+}
+
 FloorSighting Eyes::LookAtFloor(const sensor::Image& image, const geometry::RigidTransform& X_WR,
                                 const std::optional<navigation::RingEchoes>& echoes) {
   const cv::Mat bgr = AsBgr(image);
-  if (options_.learn_floor && !floor_learned_ && echoes) {
-    const auto learned =
-        navigation::LearnFloor(bgr, rig_.floor_camera, rig_.X_RF, options_.floor_model, *echoes);
-    floor_learned_ = learned.has_value();
-    floor_model_ = learned.value_or(options_.floor_model);
-  }
+  if (learns_floor() && echoes) LearnFloor(bgr, *echoes);
   return {X_WR, Find(floor_finder_, image, rig_.floor_camera, X_WR * rig_.X_RF),
-          navigation::FloorObstacles(navigation::NotFloorMask(bgr, floor_model_), rig_.floor_camera,
-                                     rig_.X_RF, options_.floor_obstacles)};
+          navigation::FloorObstacles(navigation::NotFloorMask(bgr, floor_models_),
+                                     rig_.floor_camera, rig_.X_RF, options_.floor_obstacles)};
 }
 
 }  // namespace geon::mission

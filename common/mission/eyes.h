@@ -65,8 +65,11 @@ class Eyes {
 
   // Whether the floor's colour was learned from the room (else the configured one is in use).
   bool floor_learned() const { return floor_learned_; }
+  // Whether there is more to learn of it: sun and shade are the most.
+  bool learns_floor() const { return options_.learn_floor && floor_models_.size() < 2; }
 
  private:
+  void LearnFloor(const cv::Mat& bgr, const navigation::RingEchoes& echoes);
   FloorSighting LookAtFloor(const sensor::Image& image, const geometry::RigidTransform& X_WR,
                             const std::optional<navigation::RingEchoes>& echoes);
   // The target in a picture taken from X_WC, of those that the focus allows.
@@ -82,7 +85,7 @@ class Eyes {
   geometry::SensorRig rig_;
   attention::TargetFinder head_finder_;
   attention::TargetFinder floor_finder_;
-  navigation::FloorModel floor_model_;
+  std::vector<navigation::FloorModel> floor_models_;  // in one light, or in sun and in shade
   bool floor_learned_ = false;
   Focus focus_;
   std::optional<sensor::Image> head_image_;

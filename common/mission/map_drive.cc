@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "base/angles.h"
 #include "navigation/safe_polygon.h"
@@ -42,10 +43,12 @@ navigation::CostToGoOptions Wide(const DrivingOptions& options) {
   return wide;
 }
 
-// What keeps clear of obstacles even when odometry drifted since they were seen.
-navigation::SafePolygonOptions Roomy(navigation::SafePolygonOptions polygon) {
-  constexpr double kDrift_m = 0.03;
-  polygon.clearance_m += kDrift_m;
+// How far obstacles may lie from where the map has them: the first that leaves a way on counts.
+constexpr double kDrifts_m[] = {0.05, 0.03, 0.0};
+constexpr size_t kInsisting = 1;  // the first of them for a goal that has no other in its place
+
+navigation::SafePolygonOptions Roomy(navigation::SafePolygonOptions polygon, double drift_m) {
+  polygon.clearance_m += drift_m;
   return polygon;
 }
 
@@ -76,20 +79,20 @@ MapDrive::Answer MapDrive::Drive(double now_s, const Goal& goal, Senses* senses)
   std::copy_if(senses->obstacles_R_m().begin(), senses->obstacles_R_m().end(),
                std::back_inserter(bending_R_m_),
                [&](const auto& p_m) { return (p_m - goal_R_m).norm() >= own_m_; });
-  polygon_R_ = navigation::SafePolygon(bending_R_m_, Roomy(options_.map_polygon));
+  const navigation::OccupancyGrid& map = *senses->map();
+  std::optional<Eigen::Vector2d> waypoint_R_m;
+  for (const double drift_m : std::span(kDrifts_m).subspan(goal_.insists ? kInsisting : 0)) {
+    polygon_R_ = navigation::SafePolygon(bending_R_m_, Roomy(options_.map_polygon, drift_m));
+    waypoint_R_m = navigation::WaypointByCost(polygon_R_, X_WR, map, *cost_);
+    if (waypoint_R_m) break;
+  }
   if (recovering_) {
     if (auto answer = Recover(now_s, senses)) return *std::move(answer);
   }
   if ((X_WR.translation().head<2>() - recovered_W_m_).norm() > kRecovered_m) {
     recovery_ = Recovery::kNone;
   }
-  const navigation::OccupancyGrid& map = *senses->map();
   const double cost_m = cost_->At(map.CellAt(X_WR.translation().head<2>()));
-  auto waypoint_R_m = navigation::WaypointByCost(polygon_R_, X_WR, map, *cost_);
-  if (!waypoint_R_m) {
-    polygon_R_ = navigation::SafePolygon(bending_R_m_, options_.map_polygon);
-    waypoint_R_m = navigation::WaypointByCost(polygon_R_, X_WR, map, *cost_);
-  }
   if (!Progresses(now_s, cost_m)) {
     StartRecovery(now_s, *senses);
     return Recover(now_s, senses).value_or(Answer{});

@@ -146,7 +146,7 @@ void Senses::TakeFloorImage(double now_s, sensor::Image image, std::optional<Flo
 
 void Senses::Look(double now_s) {
   head_ = eyes_.LookHead(history_);
-  floor_ = eyes_.LookFloor(history_, floor_learned() ? std::nullopt : Echoes(now_s));
+  floor_ = eyes_.LookFloor(history_, eyes_.learns_floor() ? Echoes(now_s) : std::nullopt);
   if (floor_) floor_looked_s_ = now_s;
   if (map_) {
     if (floor_) {

@@ -67,6 +67,13 @@ double Update(const Foot& foot, SupportHypothesis* hypothesis) {
   return surprise_1;
 }
 
+// Where it was thought to be speaks against a support; that it stands on it somewhere else, does
+// not.
+void Restart(const Foot& foot, SupportHypothesis* hypothesis) {
+  hypothesis->sightings = hypothesis->surprises = 0;
+  Update(foot, hypothesis);
+}
+
 }  // namespace
 
 TargetTrack::TargetTrack(const LookingOptions& options, const geometry::SensorRig& rig)
@@ -110,7 +117,10 @@ void TargetTrack::Observe(const geometry::RigidTransform& X_WC, const Eigen::Vec
                              options_.max_target_distance_m);
     const double surprise_1 = foot ? Update(*foot, &hypothesis) : kMaxSurprise_1;
     hypothesis.misfit_1 += std::min(surprise_1, kMaxSurprise_1);
-    explained = explained || surprise_1 < kMaxSurprise_1;
+    const bool fits = surprise_1 < kMaxSurprise_1;
+    explained = explained || fits;
+    hypothesis.surprises = fits ? 0 : hypothesis.surprises + 1;
+    if (foot && hypothesis.surprises >= kSurprisesToRestart) Restart(*foot, &hypothesis);
   }
   surprises_ = explained ? 0 : surprises_ + 1;
   if (surprises_ >= kSurprisesToRestart) {

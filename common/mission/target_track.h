@@ -17,6 +17,7 @@ struct SupportHypothesis {
   Eigen::Vector2d p_WFoot_m = Eigen::Vector2d::Zero();
   Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Identity();
   double misfit_1 = 0.0;  // sum of squared, normalised surprises; smaller is likelier
+  int surprises = 0;      // in a row, that did not move the estimate
 };
 
 // Where the target is, from all sightings so far.

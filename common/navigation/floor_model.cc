@@ -15,10 +15,9 @@ constexpr size_t kFewestPixels = 200;  // of a patch, to learn from
 constexpr double kMostMoved_m = 0.25;  // else echoes say too little of where things are now
 
 // Larger ones first, then what is left of them beside or before a wall.
-constexpr FloorPatch kPatches[] = {{0.45, 0.85, -0.20, 0.20},
-                                   {0.45, 0.75, 0.00, 0.30},
-                                   {0.45, 0.75, -0.30, 0.00},
-                                   {0.42, 0.62, -0.15, 0.15}};
+constexpr FloorPatch kNearestPatch{0.42, 0.62, -0.15, 0.15};
+constexpr FloorPatch kPatches[] = {
+    {0.45, 0.85, -0.20, 0.20}, {0.45, 0.75, 0.00, 0.30}, {0.45, 0.75, -0.30, 0.00}, kNearestPatch};
 
 struct Colour {
   double red_share_1;
@@ -55,13 +54,6 @@ bool IsBright(const Colour& colour, const FloorModel& model) {
          OffColour(colour, model) <= kLampTolerance_1;
 }
 
-// Standard deviation about a median, from the median of distances, which seams and specks do not
-// move.
-double Spread(std::vector<double> values, double median) {
-  for (double& value : values) value = std::abs(value - median);
-  return 1.4826 * Median(std::move(values));
-}
-
 // Whether the ray through a pixel meets the ground in a patch.
 bool IsIn(const FloorPatch& patch, double u_px, double v_px, const geometry::PinholeCamera& camera,
           const geometry::RigidTransform& X_RF) {
@@ -70,6 +62,74 @@ bool IsIn(const FloorPatch& patch, double u_px, double v_px, const geometry::Pin
   const Eigen::Vector3d p_R = X_RF.translation() - ray_R * (X_RF.translation().z() / ray_R.z());
   return p_R.x() >= patch.near_m && p_R.x() <= patch.far_m && p_R.y() >= patch.right_m &&
          p_R.y() <= patch.left_m;
+}
+
+// The noise of a colour channel, as a standard deviation, from the median of differences: seams and
+// edges do not move it, nor do two colours side by side.
+double Noise(std::vector<double> differences) {
+  for (double& difference : differences) difference = std::abs(difference);
+  return 1.4826 / std::sqrt(2.0) * Median(std::move(differences));
+}
+
+// The pixels that show the patch.
+std::vector<cv::Point> PixelsOf(const FloorPatch& patch, const cv::Mat& image_bgr,
+                                const geometry::PinholeCamera& camera,
+                                const geometry::RigidTransform& X_RF) {
+  Require(image_bgr.type() == CV_8UC3, "LearnFloor: the image must be 8-bit BGR");
+  std::vector<cv::Point> pixels;
+  for (int v_px = 0; v_px < image_bgr.rows; ++v_px) {
+    for (int u_px = 0; u_px < image_bgr.cols; ++u_px) {
+      if (IsIn(patch, u_px, v_px, camera, X_RF)) pixels.emplace_back(u_px, v_px);
+    }
+  }
+  return pixels;
+}
+
+// The colour of these pixels with the tolerances of `prior`, wider where the picture is noisy, when
+// nine tenths of them have that colour.
+std::optional<FloorModel> LearnOneColour(const cv::Mat& image_bgr,
+                                         const std::vector<cv::Point>& pixels,
+                                         const FloorModel& prior) {
+  if (pixels.size() < kFewestPixels) return std::nullopt;
+  constexpr int kApart_px = 4;  // no neighbours: a camera with a colour filter mixes these
+  std::vector<double> red_1, green_1, level, red_steps_1, green_steps_1;
+  for (const cv::Point& p_px : pixels) {
+    const Colour colour = ColourOf(image_bgr.at<cv::Vec3b>(p_px));
+    red_1.push_back(colour.red_share_1);
+    green_1.push_back(colour.green_share_1);
+    level.push_back(colour.level);
+    const cv::Point beside_px(p_px.x + (p_px.x < kApart_px ? kApart_px : -kApart_px), p_px.y);
+    const Colour beside = ColourOf(image_bgr.at<cv::Vec3b>(beside_px));
+    red_steps_1.push_back(colour.red_share_1 - beside.red_share_1);
+    green_steps_1.push_back(colour.green_share_1 - beside.green_share_1);
+  }
+  FloorModel model = prior;
+  model.red_share_1 = Median(red_1);
+  model.green_share_1 = Median(green_1);
+  model.level = Median(level);
+  const double noise_1 = std::max(Noise(std::move(red_steps_1)), Noise(std::move(green_steps_1)));
+  model.share_tolerance_1 =
+      std::clamp(kNoiseMargin_1 * noise_1, prior.share_tolerance_1, 2.0 * prior.share_tolerance_1);
+  size_t alike = 0;
+  for (size_t i = 0; i < pixels.size(); ++i) {
+    if (IsFloor({red_1[i], green_1[i], level[i]}, model)) ++alike;
+  }
+  constexpr double kAlike_1 = 0.9;
+  if (static_cast<double>(alike) < kAlike_1 * static_cast<double>(pixels.size())) {
+    return std::nullopt;
+  }
+  return model;
+}
+
+// Whether floor that is brighter in the sun may look so in the shade. There a lamp lights it, whose
+// light is warmer than the sun's; along the colours of black bodies green hardly changes.
+bool AreSunAndShade(const FloorModel& sun, const FloorModel& shade) {
+  constexpr double kWeakest_1 = 1.35, kStrongest_1 = 5.0;  // sun, times brighter than the shade
+  constexpr double kWarmer_1 = 0.06, kCooler_1 = 0.015, kGreen_1 = 0.015;
+  const double ratio_1 = sun.level / shade.level;
+  const double warmer_1 = shade.red_share_1 - sun.red_share_1;
+  return ratio_1 >= kWeakest_1 && ratio_1 <= kStrongest_1 && warmer_1 >= -kCooler_1 &&
+         warmer_1 <= kWarmer_1 && std::abs(shade.green_share_1 - sun.green_share_1) <= kGreen_1;
 }
 
 }  // namespace
@@ -94,17 +154,20 @@ bool FloorModel::IsValid(std::string* error) const {
   return valid;
 }
 
-cv::Mat NotFloorMask(const cv::Mat& image_bgr, const FloorModel& model) {
+cv::Mat NotFloorMask(const cv::Mat& image_bgr, std::span<const FloorModel> models) {
   Require(image_bgr.type() == CV_8UC3, "NotFloorMask: the image must be 8-bit BGR");
+  Require(!models.empty(), "NotFloorMask: a model of the floor is needed");
   cv::Mat mask(image_bgr.size(), CV_8UC1);
   for (int v_px = 0; v_px < image_bgr.rows; ++v_px) {
     for (int u_px = 0; u_px < image_bgr.cols; ++u_px) {
       const Colour colour = ColourOf(image_bgr.at<cv::Vec3b>(v_px, u_px));
       uint8_t* pixel = &mask.at<uint8_t>(v_px, u_px);
-      if (IsFloor(colour, model)) {
+      const auto is_floor = [&](const FloorModel& model) { return IsFloor(colour, model); };
+      const auto is_bright = [&](const FloorModel& model) { return IsBright(colour, model); };
+      if (std::any_of(models.begin(), models.end(), is_floor)) {
         *pixel = 0;
       } else {
-        *pixel = IsBright(colour, model) ? kBrightMask : 255;
+        *pixel = std::any_of(models.begin(), models.end(), is_bright) ? kBrightMask : 255;
       }
     }
   }
@@ -127,45 +190,15 @@ std::optional<FloorModel> LearnFloor(const cv::Mat& image_bgr,
                                      const geometry::PinholeCamera& camera,
                                      const geometry::RigidTransform& X_RF, const FloorModel& prior,
                                      const FloorPatch& patch) {
-  Require(image_bgr.type() == CV_8UC3, "LearnFloor: the image must be 8-bit BGR");
-  std::vector<double> red_1;
-  std::vector<double> green_1;
-  std::vector<double> level;
-  std::vector<cv::Vec3b> pixels;
-  for (int v_px = 0; v_px < image_bgr.rows; ++v_px) {
-    for (int u_px = 0; u_px < image_bgr.cols; ++u_px) {
-      if (!IsIn(patch, u_px, v_px, camera, X_RF)) continue;
-      pixels.push_back(image_bgr.at<cv::Vec3b>(v_px, u_px));
-      const Colour colour = ColourOf(pixels.back());
-      red_1.push_back(colour.red_share_1);
-      green_1.push_back(colour.green_share_1);
-      level.push_back(colour.level);
-    }
-  }
-  if (pixels.size() < kFewestPixels) return std::nullopt;
-
-  FloorModel model = prior;
-  model.red_share_1 = Median(red_1);
-  model.green_share_1 = Median(green_1);
-  model.level = Median(std::move(level));
-  const double noise_1 =
-      std::max(Spread(red_1, model.red_share_1), Spread(green_1, model.green_share_1));
-  model.share_tolerance_1 =
-      std::clamp(kNoiseMargin_1 * noise_1, prior.share_tolerance_1, 2.0 * prior.share_tolerance_1);
-  const auto median_bgr =
-      cv::Vec3b(cv::saturate_cast<uint8_t>(3.0 * model.level *
-                                           (1.0 - model.red_share_1 - model.green_share_1)),
-                cv::saturate_cast<uint8_t>(3.0 * model.level * model.green_share_1),
-                cv::saturate_cast<uint8_t>(3.0 * model.level * model.red_share_1));
+  auto model = LearnOneColour(image_bgr, PixelsOf(patch, image_bgr, camera, X_RF), prior);
   // Lamps differ from room to room.
   FloorModel wide = prior;
   wide.share_tolerance_1 = kLampTolerance_1;
   wide.darkest_1 = 0.5;
   wide.brightest_1 = 2.0;
-  if (!IsFloor(ColourOf(median_bgr), wide)) return std::nullopt;
-  const auto alike = std::count_if(pixels.begin(), pixels.end(),
-                                   [&](const auto& bgr) { return IsFloor(ColourOf(bgr), model); });
-  if (static_cast<double>(alike) < 0.9 * static_cast<double>(pixels.size())) return std::nullopt;
+  if (model && !IsFloor({model->red_share_1, model->green_share_1, model->level}, wide)) {
+    return std::nullopt;
+  }
   return model;
 }
 
@@ -176,6 +209,33 @@ std::optional<FloorModel> LearnFloor(const cv::Mat& image_bgr,
   for (const FloorPatch& patch : kPatches) {
     if (!PatchIsFree(echoes, patch)) continue;
     if (auto model = LearnFloor(image_bgr, camera, X_RF, prior, patch)) return model;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::array<FloorModel, 2>> LearnOtherLight(const cv::Mat& image_bgr,
+                                                         const geometry::PinholeCamera& camera,
+                                                         const geometry::RigidTransform& X_RF,
+                                                         const FloorModel& known,
+                                                         const RingEchoes& echoes) {
+  constexpr double kMost_1 = 0.7;  // of the patch may be as known, the other light beside it
+  constexpr double kDarkestSun_1 = 0.85;
+  for (const FloorPatch& patch : kPatches) {
+    if (!PatchIsFree(echoes, patch)) continue;
+    auto pixels = PixelsOf(patch, image_bgr, camera, X_RF);
+    const auto all = static_cast<double>(pixels.size());
+    std::erase_if(pixels, [&](const cv::Point& p_px) {
+      return IsFloor(ColourOf(image_bgr.at<cv::Vec3b>(p_px)), known);
+    });
+    if (static_cast<double>(pixels.size()) < (1.0 - kMost_1) * all) continue;
+    auto other = LearnOneColour(image_bgr, pixels, known);
+    if (!other) continue;
+    std::array<FloorModel, 2> lights = {known, *other};
+    if (known.level > other->level) std::swap(lights[0], lights[1]);
+    auto& [shade, sun] = lights;
+    if (!AreSunAndShade(sun, shade)) continue;
+    sun.darkest_1 = kDarkestSun_1;
+    return lights;
   }
   return std::nullopt;
 }

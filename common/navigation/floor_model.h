@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,9 @@ struct FloorModel {
 // In the mask: what is brighter than the floor, and no more coloured than a lamp.
 inline constexpr uint8_t kBrightMask = 128;
 
-// 255 or kBrightMask where a pixel has not the floor's colour; specks and lines under 3 pixels are
-// gone. `image_bgr` CV_8UC3.
-cv::Mat NotFloorMask(const cv::Mat& image_bgr, const FloorModel& model);
+// 255 or kBrightMask where a pixel has the floor's colour in none of the lights that `models` tell
+// of (at least one); specks and lines under 3 pixels are gone. `image_bgr` CV_8UC3.
+cv::Mat NotFloorMask(const cv::Mat& image_bgr, std::span<const FloorModel> models);
 
 // What sonar and infrared heard in their last round, to know where the ground is free.
 struct RingEchoes {
@@ -68,5 +69,17 @@ std::optional<FloorModel> LearnFloor(const cv::Mat& image_bgr,
                                      const geometry::PinholeCamera& camera,
                                      const geometry::RigidTransform& X_RF, const FloorModel& prior,
                                      const RingEchoes& echoes);
+
+// The floor in two lights, shade and sun in this order, once ground of another light than the
+// `known` one lies before the robot, all of a patch or a good part of it: what is free there,
+// clearly brighter or darker, and no more coloured than lamp and sun make it. (A lamp that a
+// polished floor mirrors is a sun, too.) The window of the sunlit floor's brightness is narrow
+// below: a white wall in the shade has nearly its colour, and is a little brighter than floor in
+// the shade.
+std::optional<std::array<FloorModel, 2>> LearnOtherLight(const cv::Mat& image_bgr,
+                                                         const geometry::PinholeCamera& camera,
+                                                         const geometry::RigidTransform& X_RF,
+                                                         const FloorModel& known,
+                                                         const RingEchoes& echoes);
 
 }  // namespace geon::navigation

@@ -71,6 +71,18 @@ TEST_F(TargetTrackTest, ATargetThatMovedIsTrackedAnew) {
   EXPECT_NEAR((track_.Best()->p_WFoot_m - Eigen::Vector2d(2.0, -1.0)).norm(), 0.0, 0.1);
 }
 
+// The first sightings of a target at the edge of a picture may be of part of it.
+TEST_F(TargetTrackTest, AHeightWhosePlaceWasWrongIsStillPossible) {
+  track_.See(Seeing(rig_, geometry::PlanarPose(0, 0, 0), {4.5, 1.5, 0.0}));
+  // On the desk both are about the same place; on the floor they are a metre apart.
+  for (int i = 0; i < 6; ++i) {
+    track_.See(Seeing(rig_, geometry::PlanarPose(0.05 * i, 0.0, 0.0), {2.2, 0.7, 0.0}));
+  }
+  const auto& floor = track_.hypotheses().front();
+  ASSERT_EQ(floor.support_height_m, 0.0);
+  EXPECT_NEAR((floor.p_WFoot_m - Eigen::Vector2d(2.2, 0.7)).norm(), 0.0, 0.05);
+}
+
 TEST_F(TargetTrackTest, RefutingAHeightLeavesTheOther) {
   track_.See(Seeing(rig_, geometry::PlanarPose(0, 0, 0), {2.0, 0.0, 0.0}));
   track_.Refute(0.0);

@@ -67,6 +67,57 @@ TEST(LearnFloorTest, BesideAWallItLearnsFromWhatIsLeftOfTheFloor) {
   EXPECT_FALSE(learn(wall_ahead, {{}, 0.5})) << "what was heard then says nothing of now";
 }
 
+TEST(LearnFloorTest, HalfWallHalfFloorIsNoFloorOfAWiderTolerance) {
+  const auto half = Picture([](double, double y_m) {
+    return y_m > 0.0 ? cv::Vec3b(146, 152, 148) : cv::Vec3b(156, 148, 144);
+  });
+  EXPECT_FALSE(LearnFloor(half, kCamera, CameraPose(), kModel, FloorPatch()).has_value());
+}
+
+class LearnOtherLightTest : public testing::Test {
+ protected:
+  // The floor that is known, and before the robot, from `from_m` on, what looks like this.
+  static auto Learn(const cv::Vec3b& known, const cv::Vec3b& ahead, double from_m,
+                    const RingEchoes& echoes = {}) {
+    const FloorModel model =
+        FloorModel::OfColor({double(known[2]), double(known[1]), double(known[0])});
+    return LearnOtherLight(
+        Picture([&](double x_m, double) { return x_m > from_m ? ahead : known; }), kCamera,
+        CameraPose(), model, echoes);
+  }
+
+  const cv::Vec3b sun_{250, 240, 228};
+  const cv::Vec3b shade_{124, 133, 133};
+};
+
+TEST_F(LearnOtherLightTest, LearnsTheShadeFromTheSunAndTheSunFromTheShade) {
+  for (const bool known_in_sun : {true, false}) {
+    const cv::Vec3b known = known_in_sun ? sun_ : shade_;
+    const cv::Vec3b other = known_in_sun ? shade_ : sun_;
+    const auto lights = Learn(known, other, 0.55);
+    ASSERT_TRUE(lights.has_value());
+    EXPECT_NEAR((*lights)[0].level, 130.0, 1.0);
+    EXPECT_NEAR((*lights)[1].level, 239.3, 1.0);
+    const auto picture = Picture([&](double x_m, double) { return x_m > 0.55 ? other : known; });
+    EXPECT_EQ(cv::countNonZero(NotFloorMask(picture, *lights)), 0);
+  }
+}
+
+TEST_F(LearnOtherLightTest, AWhiteWallInTheShadeStaysAnObstacle) {
+  const auto lights = Learn(shade_, sun_, 0.55);
+  ASSERT_TRUE(lights.has_value());
+  const cv::Mat wall(20, 20, CV_8UC3, cv::Scalar(159, 155, 154));
+  EXPECT_EQ(cv::countNonZero(NotFloorMask(wall, *lights)), 400);
+}
+
+TEST_F(LearnOtherLightTest, WhatStandsThereIsNoOtherLight) {
+  EXPECT_FALSE(Learn(shade_, {64, 53, 51}, 0.55)) << "a dark box, bluer than the sun makes floor";
+  EXPECT_FALSE(Learn(shade_, {30, 30, 220}, 0.55)) << "a red one";
+  EXPECT_FALSE(Learn(shade_, {159, 155, 154}, 0.55)) << "hardly brighter: a wall";
+  EXPECT_FALSE(Learn(sun_, shade_, 0.55, {{{0.55, 0.0}}, 0.0})) << "something answers there";
+  EXPECT_FALSE(Learn(sun_, shade_, 0.84)) << "too little of it is seen";
+}
+
 TEST(PatchIsFreeTest, AWallBeforeTheRobotIsNotLearnedAsFloor) {
   const FloorPatch patch;  // 0.45 to 0.85 m ahead, 0.2 m to each side
   EXPECT_TRUE(PatchIsFree({}, patch));

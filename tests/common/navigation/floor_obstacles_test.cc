@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <random>
@@ -14,7 +15,7 @@ namespace geon::navigation {
 namespace {
 
 std::vector<FloorColumn> Look(const cv::Mat& image) {
-  return FloorObstacles(NotFloorMask(image, kModel), kCamera, CameraPose(), {});
+  return FloorObstacles(NotFloorMask(image, std::array{kModel}), kCamera, CameraPose(), {});
 }
 
 TEST(FloorObstaclesTest, BareFloorHasNone) {
@@ -128,7 +129,7 @@ TEST(FloorObstaclesTest, SomethingAtTheLowestRowEndsTheColumnThere) {
 }
 
 TEST(FloorObstaclesTest, RefusesWhatIsNotAPictureOfThisCamera) {
-  EXPECT_THROW(NotFloorMask(cv::Mat(240, 320, CV_8UC1), kModel), ContractViolation);
+  EXPECT_THROW(NotFloorMask(cv::Mat(240, 320, CV_8UC1), std::array{kModel}), ContractViolation);
   EXPECT_THROW(FloorObstacles(cv::Mat::zeros(10, 10, CV_8UC1), kCamera, CameraPose(), {}),
                ContractViolation);
 }
