@@ -85,7 +85,7 @@ class Eyes {
   geometry::SensorRig rig_;
   attention::TargetFinder head_finder_;
   attention::TargetFinder floor_finder_;
-  std::vector<navigation::FloorModel> floor_models_;  // in one light, or in sun and in shade
+  std::vector<navigation::FloorModel> floor_models_;  // in one light, or in shade and in sun
   bool floor_learned_ = false;
   Focus focus_;
   std::optional<sensor::Image> head_image_;

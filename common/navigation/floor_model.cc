@@ -15,9 +15,10 @@ constexpr size_t kFewestPixels = 200;  // of a patch, to learn from
 constexpr double kMostMoved_m = 0.25;  // else echoes say too little of where things are now
 
 // Larger ones first, then what is left of them beside or before a wall.
-constexpr FloorPatch kNearestPatch{0.42, 0.62, -0.15, 0.15};
-constexpr FloorPatch kPatches[] = {
-    {0.45, 0.85, -0.20, 0.20}, {0.45, 0.75, 0.00, 0.30}, {0.45, 0.75, -0.30, 0.00}, kNearestPatch};
+constexpr FloorPatch kPatches[] = {{0.45, 0.85, -0.20, 0.20},
+                                   {0.45, 0.75, 0.00, 0.30},
+                                   {0.45, 0.75, -0.30, 0.00},
+                                   {0.42, 0.62, -0.15, 0.15}};
 
 struct Colour {
   double red_share_1;

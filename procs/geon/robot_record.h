@@ -62,7 +62,9 @@ struct RobotTrialRecord {
   bool right_guess() const { return !surveyed() && !named() && label == subject.truth; }
   bool unreachable() const { return end == sensor::MissionOutcome::kUnreachable; }
   bool none_found() const { return end == sensor::MissionOutcome::kNoneFound; }
-  bool trapped() const { return !reached() && !unreachable(); }  // none found: wrongly
+  // None found: wrongly. A survey whose time was over is right when all its geons are named by
+  // then.
+  bool trapped() const { return !reached() && !unreachable() && !right(); }
 };
 
 // The first run, told by what the head's camera saw whenever the mission went over to another

@@ -74,7 +74,7 @@ TEST_F(TargetTrackTest, ATargetThatMovedIsTrackedAnew) {
 // The first sightings of a target at the edge of a picture may be of part of it.
 TEST_F(TargetTrackTest, AHeightWhosePlaceWasWrongIsStillPossible) {
   track_.See(Seeing(rig_, geometry::PlanarPose(0, 0, 0), {4.5, 1.5, 0.0}));
-  // On the desk both are about the same place; on the floor they are a metre apart.
+  // On the desk both are about the same place; on the floor they are metres apart.
   for (int i = 0; i < 6; ++i) {
     track_.See(Seeing(rig_, geometry::PlanarPose(0.05 * i, 0.0, 0.0), {2.2, 0.7, 0.0}));
   }

@@ -179,6 +179,21 @@ TEST(RobotPageTest, ASurveyThatIsNotAllRightSaysHowManyOfItsGeonsAre) {
   EXPECT_EQ(Summarize(record).undecided, 0);
 }
 
+TEST(RobotSummaryTest, ASurveyWhoseTimeWasOverIsRightOrTrappedButNotBoth) {
+  RobotRecord record = ShardOf({4});
+  RobotTrialRecord& survey = record.trials[0];
+  survey.end = MissionOutcome::kFailed;
+  survey.label.reset();
+  survey.others = 0;
+  survey.geons = {{GeonLabel::kCuboid, "floor", true, GeonLabel::kCuboid, true, 1, 0.02},
+                  {GeonLabel::kCylinder, "floor", true, GeonLabel::kCylinder, true, 1, 0.03}};
+  EXPECT_EQ(Summarize(record).right.right, 1);
+  EXPECT_EQ(Summarize(record).trapped, 0);
+  survey.geons[1].label.reset();
+  EXPECT_EQ(Summarize(record).right.right, 0);
+  EXPECT_EQ(Summarize(record).trapped, 1);
+}
+
 TEST(RobotPageTest, NeedsNothingFromElsewhereAndSaysWhenNothingIsWrong) {
   EXPECT_THAT(RobotPage(FiveMissions()), Not(HasSubstr("<script")));
   EXPECT_THAT(RobotPage(FiveMissions()), Not(HasSubstr("http")));
