@@ -51,6 +51,7 @@ Transition ScanPhase::Step(Context* context) {
       return ScanAgain(context, "the recognizer started anew");
     }
     newest_profile_seq_ = profile.seq;
+    answered_ = answered_ || profile.scan_id == plan_.scan_id;
     if (sweep_) {
       if (profile.scan_id != plan_.scan_id) continue;
       if (!HeightAgrees(context, profile)) return Begin(context);
@@ -130,6 +131,7 @@ Transition ScanPhase::Begin(Context* context) {
   turn_ = 0;
   attempt_ = 0;
   measured_.clear();
+  answered_ = false;
   height_verified_ = false;
   plan_sent_s_ = -1e9;
   sweep_.reset();
@@ -267,6 +269,8 @@ Transition ScanPhase::AwaitVerdict(Context* context) {
   context->text = "waiting for the verdict";
   const auto& patience = context->options.patience;
   if (static_cast<int>(measured_.size()) < patience.min_stripes) {
+    // Nothing at all where the target should be: it stands on another support, farther off.
+    if (measured_.empty() && answered_) context->target.Refute(plan_.support_height_m);
     return ScanAgain(context,
                      "only " + std::to_string(measured_.size()) + " stripes were measured");
   }

@@ -55,6 +55,7 @@ class ScanPhase {
   size_t turn_ = 0;            // of `order_`
   int attempt_ = 0;
   std::vector<sensor::RangeProfile> measured_;
+  bool answered_ = false;  // by a profile, with or without a stripe
   bool height_verified_ = false;
   bool height_changed_ = false;
   int32_t newest_profile_seq_ = 0;

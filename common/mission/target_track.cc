@@ -153,8 +153,12 @@ void TargetTrack::RefuteDesksOverFreeFloor(const FloorSighting& sighting) {
 }
 
 void TargetTrack::Refute(double support_height_m) {
+  double most_1 = 0.0;
+  for (const SupportHypothesis& hypothesis : hypotheses_) {
+    most_1 = std::max(most_1, hypothesis.misfit_1);
+  }
   for (SupportHypothesis& hypothesis : hypotheses_) {
-    if (hypothesis.support_height_m == support_height_m) hypothesis.misfit_1 += kRefuted_1;
+    if (hypothesis.support_height_m == support_height_m) hypothesis.misfit_1 = most_1 + kRefuted_1;
   }
 }
 

@@ -35,7 +35,8 @@ class TargetTrack {
   // Nothing happens when the picture shows no target or not its foot.
   void See(const HeadSighting& sighting);
   void See(const FloorSighting& sighting);
-  // The range finder measured another height than this one.
+  // The range finder measured another height than this one, or nothing where the target would be:
+  // every other height becomes likelier.
   void Refute(double support_height_m);
 
   bool known() const { return Best() != nullptr; }

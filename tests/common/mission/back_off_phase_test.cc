@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "tests/common/mission/fake_world.h"
 
 namespace geon::mission {
@@ -32,6 +33,31 @@ TEST(BackOffPhaseTest, AContactBehindSendsItAhead) {
   ASSERT_TRUE(world.RunUntil(Phase::kBackOff, 0.2));
   world.Step();
   EXPECT_GT(world.wishes().velocity.speed_m_s, 0.0);
+}
+
+// Beside it and ahead: neither way along the heading leads away.
+TEST(BackOffPhaseTest, WhoIsBlockedTurnsItsBackToWhatItTouches) {
+  FakeWorld world(FastOptions());
+  world.target_hidden = true;
+  ASSERT_TRUE(world.RunUntil(Phase::kSearch, 5.0));
+  world.bumper_pressed = true;
+  world.bumper_bearing_rad = 1.4;
+  ASSERT_TRUE(world.RunUntil(Phase::kBackOff, 0.2));
+  const Eigen::Vector3d touching = world.pose;
+  const double away_rad = touching.z() + world.bumper_bearing_rad + kPi;
+  const auto turned = [&] { return std::abs(WrapAngle(world.pose.z() - away_rad)) < 0.15; };
+  ASSERT_TRUE(world.RunUntil(
+      [&] {
+        world.pose.head<2>() = touching.head<2>();  // it is held
+        world.bumper_bearing_rad = away_rad + kPi - world.pose.z();
+        return turned();
+      },
+      10.0));
+  world.bumper_pressed = false;
+  ASSERT_TRUE(world.RunUntil([&] { return world.mission().phase() != Phase::kBackOff; }, 8.0));
+  const Eigen::Vector2d moved_m = (world.pose - touching).head<2>();
+  const Eigen::Vector2d away(std::cos(away_rad), std::sin(away_rad));
+  EXPECT_GT(moved_m.dot(away), 0.1);
 }
 
 TEST(BackOffPhaseTest, WhoCannotMoveGivesUpMovingButNotTheMission) {

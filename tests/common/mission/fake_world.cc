@@ -328,8 +328,8 @@ void FakeWorld::AnswerStripe(const sensor::ScanCommand& command) {
   stripe_heads.push_back(head);
   sensor::RangeProfile profile = Measured(command);
   int& missing = missing_attempts[command.stripe_index];
-  if (missing > 0) {
-    --missing;
+  if (missing > 0 || TrueDistance() > reach_m) {
+    missing = std::max(0, missing - 1);
     profile = {};
     profile.scan_id = command.scan_id;
     profile.stripe_index = command.stripe_index;

@@ -60,6 +60,7 @@ class FakeWorld {
   double bumper_bearing_rad = 0.0;
   std::map<int, int> missing_attempts;  // stripe -> how often it is missing
   std::set<int> never_swept;            // planned stripes that no sweep measures
+  double reach_m = 100.0;               // no stripe measures anything beyond
   bool decided = true;
   double confidence_1 = 0.9;   // of every verdict, whether it decides or not
   int32_t recognizer_seq = 0;  // set back to 0: it was restarted

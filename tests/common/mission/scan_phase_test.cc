@@ -93,6 +93,31 @@ TEST(ScanPhaseTest, TheFirstStripeCorrectsAWrongHeight) {
   EXPECT_EQ(world.plans.back().support_height_m, 0.7);
 }
 
+TEST(ScanPhaseTest, NothingAtAllWhereADeskShouldBeMeansAFloorFartherOff) {
+  FakeWorld world(FastOptions());
+  world.reach_m = 2.0;
+  // A box hides the target's foot: it seems to stand on a desk, quite near.
+  world.blocks[0].center_W_m = {2.5, 0.0};
+  world.blocks[0].top_m = 0.4;
+  world.blocks.push_back({{1.15, 0.0}, {0.15, 0.2}, 0.0, 0.6, {120, 120, 120}});
+  world.Fence({1.5, 0.0}, 2.5);
+  ASSERT_TRUE(world.RunToTheEnd());
+  EXPECT_EQ(world.mission().outcome(), sensor::MissionOutcome::kNamed) << world.Text();
+  ASSERT_GE(world.plans.size(), 2u);
+  EXPECT_EQ(world.plans.front().support_height_m, 0.7);
+  EXPECT_EQ(world.plans.back().support_height_m, 0.0);
+}
+
+TEST(ScanPhaseTest, SilenceOfTheRecognizerSaysNothingOfTheHeight) {
+  FakeWorld world(FastOptions());
+  world.recognizer_up = false;
+  ASSERT_TRUE(world.RunUntil([&] { return world.plans.size() == 2; }, 120.0));
+  EXPECT_EQ(world.plans[1].support_height_m, world.plans[0].support_height_m);
+  world.recognizer_up = true;
+  ASSERT_TRUE(world.RunToTheEnd());
+  EXPECT_EQ(world.mission().outcome(), sensor::MissionOutcome::kNamed) << world.Text();
+}
+
 TEST(ScanPhaseTest, ARecognizerThatForgotGetsANewScan) {
   FakeWorld world(FastOptions());
   ASSERT_TRUE(world.RunUntil([&] { return world.stripe_calls.size() == 4; }, 120.0));
