@@ -125,9 +125,17 @@ void Eyes::LearnFloor(const cv::Mat& bgr, const navigation::RingEchoes& echoes) 
     if (learned) floor_models_ = {*learned};
     return;
   }
-  const auto lights =
-      navigation::LearnOtherLight(bgr, rig_.floor_camera, rig_.X_RF, floor_models_.front(), echoes);
-  if (lights) floor_models_.assign(lights->begin(), lights->end());
+  const auto lights = navigation::LearnOtherLight(
+      bgr, rig_.floor_camera, rig_.X_RF, floor_models_.front(), options_.floor_model, echoes);
+  if (!lights) return;
+  first_floor_model_ = floor_models_.front();
+  floor_models_.assign(lights->begin(), lights->end());
+}
+
+void Eyes::DoubtOtherLight() {
+  if (floor_models_.size() < 2) return;
+  floor_models_ = {first_floor_model_};
+  light_doubted_ = true;
 }
 
 FloorSighting Eyes::LookAtFloor(const sensor::Image& image, const geometry::RigidTransform& X_WR,

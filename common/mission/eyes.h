@@ -66,7 +66,12 @@ class Eyes {
   // Whether the floor's colour was learned from the room (else the configured one is in use).
   bool floor_learned() const { return floor_learned_; }
   // Whether there is more to learn of it: sun and shade are the most.
-  bool learns_floor() const { return options_.learn_floor && floor_models_.size() < 2; }
+  bool learns_floor() const {
+    return options_.learn_floor && !light_doubted_ && floor_models_.size() < 2;
+  }
+  // The robot touched what no picture showed: the second light may be the colour of what stands
+  // there. It is forgotten, and none is learned any more.
+  void DoubtOtherLight();
 
  private:
   void LearnFloor(const cv::Mat& bgr, const navigation::RingEchoes& echoes);
@@ -86,7 +91,9 @@ class Eyes {
   attention::TargetFinder head_finder_;
   attention::TargetFinder floor_finder_;
   std::vector<navigation::FloorModel> floor_models_;  // in one light, or in shade and in sun
+  navigation::FloorModel first_floor_model_;          // learned before the second light
   bool floor_learned_ = false;
+  bool light_doubted_ = false;
   Focus focus_;
   std::optional<sensor::Image> head_image_;
   std::optional<sensor::Image> floor_image_;

@@ -84,6 +84,7 @@ MapDrive::Answer MapDrive::Drive(double now_s, const Goal& goal, Senses* senses)
   for (const double drift_m : std::span(kDrifts_m).subspan(goal_.insists ? kInsisting : 0)) {
     polygon_R_ = navigation::SafePolygon(bending_R_m_, Roomy(options_.map_polygon, drift_m));
     waypoint_R_m = navigation::WaypointByCost(polygon_R_, X_WR, map, *cost_);
+    squeezes_ = drift_m <= 0.0;
     if (waypoint_R_m) break;
   }
   if (recovering_) {
@@ -150,7 +151,7 @@ navigation::DriveVelocity MapDrive::Careful(navigation::DriveVelocity velocity,
   if (velocity.speed_m_s <= kSlow_m_s) return velocity;
   // What stands round here may have been forgotten.
   const bool forgot = recovery_ >= Recovery::kForget;
-  if (forgot || IsUnknownAhead(velocity, senses)) velocity.speed_m_s = kSlow_m_s;
+  if (forgot || squeezes_ || IsUnknownAhead(velocity, senses)) velocity.speed_m_s = kSlow_m_s;
   return velocity;
 }
 

@@ -74,8 +74,8 @@ class MapDrive {
   std::optional<Answer> Recover(double now_s, Senses* senses);
   std::string WhyUnreachable() const;
   void StartRecovery(double now_s, const Senses& senses);
-  // Slow where the body comes upon ground that no picture showed, and where obstacles were
-  // forgotten.
+  // Slow where the body comes upon ground that no picture showed, where obstacles were forgotten
+  // and where they leave no room for being elsewhere than the map has them.
   navigation::DriveVelocity Careful(navigation::DriveVelocity velocity, const Senses& senses) const;
   bool IsUnknownAhead(const navigation::DriveVelocity& velocity, const Senses& senses) const;
   bool IsKnown(const Eigen::Vector2d& p_R_m, const Senses& senses) const;
@@ -96,6 +96,7 @@ class MapDrive {
   int64_t mapped_revision_ = -1;
   double mapped_s_ = 0.0;
   geometry::ConvexPolygon polygon_R_;
+  bool squeezes_ = false;  // only a polygon without that room leads on
   WaypointFollower follower_;
 
   double best_cost_m_ = 0.0;

@@ -119,6 +119,7 @@ void Senses::Take(double now_s, const sensor::BumperState& bumpers) {
     contacts_R_m.emplace_back(body_radius_m_ * std::cos(bumpers.bearing_rad[i]),
                               body_radius_m_ * std::sin(bumpers.bearing_rad[i]));
   }
+  if (!contacts_R_m.empty()) eyes_.DoubtOtherLight();
   Feel(now_s, contacts_R_m);
 }
 

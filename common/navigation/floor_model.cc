@@ -72,14 +72,31 @@ double Noise(std::vector<double> differences) {
   return 1.4826 / std::sqrt(2.0) * Median(std::move(differences));
 }
 
+// The part of the picture that the patch lies in, nearly: a lens bends its sides a little.
+cv::Rect BoundsOf(const FloorPatch& patch, const cv::Size& size_px,
+                  const geometry::PinholeCamera& camera, const geometry::RigidTransform& X_RF) {
+  const cv::Rect picture_px(cv::Point(), size_px);
+  std::vector<cv::Point2f> corners_px;
+  for (const double x_m : {patch.near_m, patch.far_m}) {
+    for (const double y_m : {patch.right_m, patch.left_m}) {
+      const Eigen::Vector3d p_F = X_RF.inverse() * Eigen::Vector3d(x_m, y_m, 0.0);
+      if (p_F.z() <= 0.0) return picture_px;
+      const Eigen::Vector2d p_px = camera.Project(p_F);
+      corners_px.emplace_back(static_cast<float>(p_px.x()), static_cast<float>(p_px.y()));
+    }
+  }
+  return cv::boundingRect(corners_px) & picture_px;
+}
+
 // The pixels that show the patch.
 std::vector<cv::Point> PixelsOf(const FloorPatch& patch, const cv::Mat& image_bgr,
                                 const geometry::PinholeCamera& camera,
                                 const geometry::RigidTransform& X_RF) {
   Require(image_bgr.type() == CV_8UC3, "LearnFloor: the image must be 8-bit BGR");
   std::vector<cv::Point> pixels;
-  for (int v_px = 0; v_px < image_bgr.rows; ++v_px) {
-    for (int u_px = 0; u_px < image_bgr.cols; ++u_px) {
+  const cv::Rect bounds_px = BoundsOf(patch, image_bgr.size(), camera, X_RF);
+  for (int v_px = bounds_px.y; v_px < bounds_px.br().y; ++v_px) {
+    for (int u_px = bounds_px.x; u_px < bounds_px.br().x; ++u_px) {
       if (IsIn(patch, u_px, v_px, camera, X_RF)) pixels.emplace_back(u_px, v_px);
     }
   }
@@ -123,14 +140,38 @@ std::optional<FloorModel> LearnOneColour(const cv::Mat& image_bgr,
 }
 
 // Whether floor that is brighter in the sun may look so in the shade. There a lamp lights it, whose
-// light is warmer than the sun's; along the colours of black bodies green hardly changes.
+// light is warmer than the sun's or a little colder; along the colours of black bodies green falls
+// by about a fifth of what red falls.
 bool AreSunAndShade(const FloorModel& sun, const FloorModel& shade) {
   constexpr double kWeakest_1 = 1.35, kStrongest_1 = 5.0;  // sun, times brighter than the shade
-  constexpr double kWarmer_1 = 0.06, kCooler_1 = 0.015, kGreen_1 = 0.015;
+  constexpr double kWarmer_1 = 0.06, kCooler_1 = 0.010, kGreenPerRed_1 = 0.22, kOff_1 = 0.005;
   const double ratio_1 = sun.level / shade.level;
   const double warmer_1 = shade.red_share_1 - sun.red_share_1;
+  const double greener_1 = shade.green_share_1 - sun.green_share_1;
   return ratio_1 >= kWeakest_1 && ratio_1 <= kStrongest_1 && warmer_1 >= -kCooler_1 &&
-         warmer_1 <= kWarmer_1 && std::abs(shade.green_share_1 - sun.green_share_1) <= kGreen_1;
+         warmer_1 <= kWarmer_1 && std::abs(greener_1 - kGreenPerRed_1 * warmer_1) <= kOff_1;
+}
+
+// Whether the light that makes the difference between floor in the sun and in the shade may be the
+// sun's: daylight is at the cool end of the lamps that a room may have.
+bool DifferBySunlight(const FloorModel& sun, const FloorModel& shade, const FloorModel& prior) {
+  constexpr double kCoolest_1 = 0.06, kWarmest_1 = 0.02, kGreen_1 = 0.02;  // off the prior's shares
+  constexpr double kGamma_1 = 2.2;                                         // of a camera's picture
+  const auto added = [](double sun_level, double shade_level) {
+    const double light = std::pow(sun_level, kGamma_1) - std::pow(shade_level, kGamma_1);
+    return std::pow(std::max(0.0, light), 1.0 / kGamma_1);
+  };
+  const auto blue_share_1 = [](const FloorModel& m) {
+    return 1.0 - m.red_share_1 - m.green_share_1;
+  };
+  const double red = added(sun.level * sun.red_share_1, shade.level * shade.red_share_1);
+  const double green = added(sun.level * sun.green_share_1, shade.level * shade.green_share_1);
+  const double blue = added(sun.level * blue_share_1(sun), shade.level * blue_share_1(shade));
+  const double sum = red + green + blue;
+  if (sum <= 0.0) return false;
+  const double cooler_1 = prior.red_share_1 - red / sum;
+  return cooler_1 >= kWarmest_1 && cooler_1 <= kCoolest_1 &&
+         std::abs(green / sum - prior.green_share_1) <= kGreen_1;
 }
 
 }  // namespace
@@ -218,6 +259,7 @@ std::optional<std::array<FloorModel, 2>> LearnOtherLight(const cv::Mat& image_bg
                                                          const geometry::PinholeCamera& camera,
                                                          const geometry::RigidTransform& X_RF,
                                                          const FloorModel& known,
+                                                         const FloorModel& prior,
                                                          const RingEchoes& echoes) {
   constexpr double kMost_1 = 0.7;  // of the patch may be as known, the other light beside it
   constexpr double kDarkestSun_1 = 0.85;
@@ -232,9 +274,12 @@ std::optional<std::array<FloorModel, 2>> LearnOtherLight(const cv::Mat& image_bg
     auto other = LearnOneColour(image_bgr, pixels, known);
     if (!other) continue;
     std::array<FloorModel, 2> lights = {known, *other};
-    if (known.level > other->level) std::swap(lights[0], lights[1]);
+    const bool darker = other->level < known.level;
+    if (darker) std::swap(lights[0], lights[1]);
     auto& [shade, sun] = lights;
     if (!AreSunAndShade(sun, shade)) continue;
+    // Else the side of a box, away from the lamp, is floor in the shade.
+    if (darker && !DifferBySunlight(sun, shade, prior)) continue;
     sun.darkest_1 = kDarkestSun_1;
     return lights;
   }

@@ -72,14 +72,16 @@ std::optional<FloorModel> LearnFloor(const cv::Mat& image_bgr,
 
 // The floor in two lights, shade and sun in this order, once ground of another light than the
 // `known` one lies before the robot, all of a patch or a good part of it: what is free there,
-// clearly brighter or darker, and no more coloured than lamp and sun make it. (A lamp that a
-// polished floor mirrors is a sun, too.) The window of the sunlit floor's brightness is narrow
-// below: a white wall in the shade has nearly its colour, and is a little brighter than floor in
-// the shade.
+// clearly brighter or darker, and no more coloured than lamp and sun make it. What is darker is
+// floor in the shade only if the `known` floor is brighter by daylight, `prior` being its colour by
+// lamps neither warm nor cold. What is brighter may be a lamp that a polished floor mirrors, which
+// is as good as sun. The window of the sunlit floor's brightness is narrow below: a white wall in
+// the shade has nearly its colour, and is a little brighter than floor in the shade.
 std::optional<std::array<FloorModel, 2>> LearnOtherLight(const cv::Mat& image_bgr,
                                                          const geometry::PinholeCamera& camera,
                                                          const geometry::RigidTransform& X_RF,
                                                          const FloorModel& known,
+                                                         const FloorModel& prior,
                                                          const RingEchoes& echoes);
 
 }  // namespace geon::navigation

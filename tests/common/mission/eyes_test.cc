@@ -129,6 +129,22 @@ TEST_F(EyesTest, LearnsTheFloorFromTheFirstGoodPicture) {
   EXPECT_FALSE(floor->columns.front().obstacle);
 }
 
+TEST_F(EyesTest, ASecondLightThatIsDoubtedIsForgottenForGood) {
+  Base(kNow);
+  const auto shows_obstacles = [&](const sensor::Image& picture) {
+    eyes_.TakeFloor(picture);
+    return eyes_.LookFloor(history_, navigation::RingEchoes())->columns.front().obstacle;
+  };
+  const sensor::Image shade = Plain(160, 120, 124, 133, 133), sun = Plain(160, 120, 250, 240, 228);
+  EXPECT_FALSE(shows_obstacles(shade));
+  EXPECT_FALSE(shows_obstacles(sun));
+  EXPECT_FALSE(eyes_.learns_floor());
+  eyes_.DoubtOtherLight();
+  EXPECT_FALSE(eyes_.learns_floor());
+  EXPECT_TRUE(shows_obstacles(sun));
+  EXPECT_FALSE(shows_obstacles(shade));
+}
+
 TEST_F(EyesTest, ColoursAreReadInTheOrderThePictureSays) {
   Base(kNow);
   sensor::Image rgb = Plain(160, 120, 150, 150, 140);  // as kRgb8: the floor's own colour

@@ -179,6 +179,29 @@ TEST(MapDriveTest, WhereItForgotItCreepsAtFirst) {
   EXPECT_GT(fastest_m_s, 0.3);
 }
 
+TEST(MapDriveTest, WhereAnErrorOfTheMapWouldMeanAContactItCreeps) {
+  for (const auto& [half_m, creeps] : {std::pair(0.32, true), {0.42, false}}) {
+    SCOPED_TRACE(half_m);
+    Trip trip = Trip::ToDestination({3.2, 0.0});
+    for (const double side : {-1.0, 1.0}) {  // a passage
+      trip.AddBlock({1.5, side * (half_m + 2.0)}, {0.3, 2.0});
+    }
+    double fastest_inside_m_s = 0.0;
+    trip.RunUntil(
+        [&] {
+          const bool inside = std::abs(trip.pose.x() - 1.5) < 0.2;
+          if (inside) {
+            fastest_inside_m_s = std::max(fastest_inside_m_s, trip.answer.velocity.speed_m_s);
+          }
+          return trip.Distance_m() <= 0.1;
+        },
+        60.0);
+    EXPECT_LE(trip.Distance_m(), 0.1) << trip.answer.text;
+    EXPECT_GE(trip.nearest_m(), kBody_m);
+    EXPECT_EQ(fastest_inside_m_s <= 0.1 + 1e-9, creeps) << fastest_inside_m_s;
+  }
+}
+
 TEST(MapDriveTest, ARobotThatDoesNotMoveTriesEverythingAndThenSaysSo) {
   Trip trip({3.0, 0.0});
   trip.stuck = true;

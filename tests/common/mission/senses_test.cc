@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <opencv2/core.hpp>
 
 #include "base/angles.h"
 #include "base/time.h"
@@ -112,6 +113,42 @@ TEST_F(SensesTest, EchoesAreToldOnceTheRingWasHeardAndWithHowFarTheRobotMovedSin
   }
   EXPECT_NEAR(senses_.Echoes(3.0)->moved_m, 0.12, 0.011);
   EXPECT_FALSE(senses_.Echoes(9.0)) << "the base is silent";
+}
+
+TEST_F(SensesTest, AContactTakesBackTheSecondLightOfTheFloor) {
+  sensor::BaseState base;
+  base.status = sensor::DeviceStatus::kReady;
+  sensor::SonarScan silence;
+  silence.range_m.fill(std::numeric_limits<double>::quiet_NaN());
+  double now_s = 0.0;
+  const auto shows_obstacles = [&](const cv::Scalar& bgr) {
+    const auto& camera = SmallRig().floor_camera;
+    sensor::Image image;
+    image.width_px = camera.width_px;
+    image.height_px = camera.height_px;
+    image.row_stride_bytes = 3 * camera.width_px;
+    image.format = sensor::PixelFormat::kBgr8;
+    const cv::Mat plain(1, image.width_px * image.height_px, CV_8UC3, bgr);
+    image.data.assign(plain.datastart, plain.dataend);
+    image.utime = base.utime;
+    senses_.TakeFloorImage(now_s, image);
+    senses_.Look(now_s);
+    return senses_.floor()->columns.front().obstacle;
+  };
+  for (; now_s < 2.0; now_s += 0.1) {
+    base.utime = MicrosecondsFromSeconds(1.0 + now_s);
+    senses_.Take(now_s, base);
+    senses_.Take(now_s, silence);
+  }
+  const cv::Scalar shade(124, 133, 133), sun(250, 240, 228);
+  EXPECT_FALSE(shows_obstacles(shade));
+  EXPECT_FALSE(shows_obstacles(sun));
+  sensor::BumperState bumpers;
+  senses_.Take(now_s, bumpers);
+  EXPECT_FALSE(shows_obstacles(sun));
+  bumpers.pressed[0] = true;
+  senses_.Take(now_s, bumpers);
+  EXPECT_TRUE(shows_obstacles(sun));
 }
 
 TEST_F(SensesTest, TheMapKeepsTheHeadingThatOdometryLoses) {

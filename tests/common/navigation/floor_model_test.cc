@@ -83,7 +83,7 @@ class LearnOtherLightTest : public testing::Test {
         FloorModel::OfColor({double(known[2]), double(known[1]), double(known[0])});
     return LearnOtherLight(
         Picture([&](double x_m, double) { return x_m > from_m ? ahead : known; }), kCamera,
-        CameraPose(), model, echoes);
+        CameraPose(), model, kModel, echoes);
   }
 
   const cv::Vec3b sun_{250, 240, 228};
@@ -108,6 +108,13 @@ TEST_F(LearnOtherLightTest, AWhiteWallInTheShadeStaysAnObstacle) {
   ASSERT_TRUE(lights.has_value());
   const cv::Mat wall(20, 20, CV_8UC3, cv::Scalar(159, 155, 154));
   EXPECT_EQ(cv::countNonZero(NotFloorMask(wall, *lights)), 400);
+}
+
+TEST_F(LearnOtherLightTest, TheDarkSideOfABoxIsNoShadeWhereNoSunShines) {
+  const cv::Vec3b by_a_warm_lamp(132, 161, 172), box(66, 81, 86);
+  EXPECT_FALSE(Learn(by_a_warm_lamp, box, 0.55)) << "what it lacks is lamp light";
+  const cv::Vec3b by_a_cold_lamp(164, 148, 136), bluish_box(91, 76, 70);
+  EXPECT_FALSE(Learn(by_a_cold_lamp, bluish_box, 0.55)) << "no light has its colour";
 }
 
 TEST_F(LearnOtherLightTest, WhatStandsThereIsNoOtherLight) {
